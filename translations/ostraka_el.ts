@@ -311,6 +311,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>σακούλα %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sherd(s) counted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>μετρήθηκε %n όστρακο</numerusform>
+            <numerusform>μετρήθηκαν %n όστρακα</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -508,19 +516,9 @@
       <translation>Η εκτύπωση ή το αρχείο δεν ολοκληρώθηκε· μήπως γέμισε ο δίσκος;</translation>
     </message>
     <message>
-      <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 και το %2 ταιριάζουν και τα δύο στο %3: οι ακμές τους διαφέρουν μόνο κατά %4.</translation>
-    </message>
-    <message>
       <source>%1 and %2 both fit %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 και το %2 ταιριάζουν και τα δύο στο %3.</translation>
-    </message>
-    <message>
-      <source>%1 would fit %2 nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 θα ταίριαζε σχεδόν εξίσου καλά στο %2.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
@@ -531,16 +529,6 @@
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πίσω όψη του δόθηκε σε άλλη μπροστινή: είναι τώρα το %1 το σωστό;</translation>
-    </message>
-    <message>
-      <source>%1 fits hardly better than a stranger's back.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 μόλις που ταιριάζει καλύτερα από την πίσω όψη ενός ξένου οστράκου.</translation>
-    </message>
-    <message>
-      <source>The two sides fit nearly as well in another position.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι δύο όψεις ταιριάζουν σχεδόν εξίσου καλά σε άλλη θέση.</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -593,31 +581,6 @@
       <translation>Οι ακμές δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
     </message>
     <message>
-      <source>look</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>δείτε το</translation>
-    </message>
-    <message>
-      <source>no back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς πίσω όψη</translation>
-    </message>
-    <message>
-      <source>sure</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>βέβαιο</translation>
-    </message>
-    <message>
-      <source>decided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αποφασισμένο</translation>
-    </message>
-    <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>στην άκρη</translation>
-    </message>
-    <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>νέα λήψη</translation>
@@ -633,11 +596,6 @@
       <translation>Δεν βρέθηκε πίσω όψη. Επιλέξτε μία, ή βάλτε το στην άκρη.</translation>
     </message>
     <message>
-      <source>The program is sure: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το πρόγραμμα είναι βέβαιο: %1.</translation>
-    </message>
-    <message>
       <source>Decided by %1 on %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποφασίστηκε από %1 στις %2.</translation>
@@ -648,34 +606,14 @@
       <translation>Μπήκε στην άκρη από %1 στις %2.</translation>
     </message>
     <message>
-      <source>To be shot again, says %1, %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Θέλει νέα λήψη, λέει ο/η %1, %2.</translation>
-    </message>
-    <message>
       <source>bag %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>σακούλα %1</translation>
     </message>
     <message>
-      <source>no front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς μπροστινή όψη</translation>
-    </message>
-    <message>
       <source>This back is set aside. Drag it onto a front to use it after all.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η πίσω όψη είναι στην άκρη. Σύρετέ τη σε μια μπροστινή για να χρησιμοποιηθεί τελικά.</translation>
-    </message>
-    <message>
-      <source>This back is to be shot again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτή η πίσω όψη θέλει νέα λήψη.</translation>
-    </message>
-    <message>
-      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία μπροστινή όψη δεν έχει αυτή την πίσω. Σύρετέ τη στη μπροστινή της, ενώστε τη με άλλη, ή βάλτε τη στην άκρη.</translation>
     </message>
     <message>
       <source>%1 ?</source>
@@ -699,14 +637,6 @@
       <source>in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αμφίβολη</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n όστρακο</numerusform>
-        <numerusform>%n όστρακα</numerusform>
-      </translation>
     </message>
     <message>
       <source>Its back %1 was given to %2: is %3 the right one now?</source>
@@ -804,26 +734,6 @@
       <translation>Το πρόγραμμα λέει %1, %2.</translation>
     </message>
     <message>
-      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ενώθηκε με το %1 από %2· γίνεται ένα κομμάτι όταν υπολογιστεί η παρτίδα.</translation>
-    </message>
-    <message>
-      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κόπηκε στα δύο από %1· τα κομμάτια έρχονται όταν υπολογιστεί η παρτίδα.</translation>
-    </message>
-    <message>
-      <source>joined</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ενώθηκε</translation>
-    </message>
-    <message>
-      <source>cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κόπηκε</translation>
-    </message>
-    <message>
       <source>Sure by what was decided for others: %1; by itself %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βέβαιο από όσα αποφασίστηκαν για άλλα: %1· από μόνο του %2.</translation>
@@ -861,13 +771,130 @@
             <numerusform>%n όστρακα αφήνουν τις σακούλες τους, που μένουν στο παλιό πλαίσιο: %1.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) keep a number of the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n όστρακο κρατά αριθμό του παλιού πλαισίου: %1.</numerusform>
-            <numerusform>%n όστρακα κρατούν αριθμούς του παλιού πλαισίου: %1.</numerusform>
-        </translation>
+    <message>
+        <source>front %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>πρόσθια όψη %1</translation>
+    </message>
+    <message>
+        <source>back %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>πίσω όψη %1</translation>
+    </message>
+    <message>
+        <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συγχωνεύτηκε με %1 από %2. Θα είναι ένα θραύσμα μετά την επανεπεξεργασία της παρτίδας.</translation>
+    </message>
+    <message>
+        <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διαιρέθηκε από %1. Τα θραύσματα εμφανίζονται μετά την επανεπεξεργασία της παρτίδας.</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συγχωνευμένο</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διαιρεμένο</translation>
+    </message>
+    <message>
+        <source>No front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Χωρίς πρόσθια όψη</translation>
+    </message>
+    <message>
+        <source>This back is to be reshot.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αυτή η πίσω όψη πρέπει να φωτογραφηθεί ξανά.</translation>
+    </message>
+    <message>
+        <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Καμία πρόσθια όψη δεν έχει αυτή την πίσω όψη. Σύρετέ τη στην πρόσθια, συγχωνεύστε τη με άλλη ή αφήστε τη στην άκρη.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 και %2 ταιριάζουν με %3: οι θραύσεις διαφέρουν μόνο κατά %4.</translation>
+    </message>
+    <message>
+        <source>%1 would fit %2 almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 θα ταίριαζε σχεδόν εξίσου καλά με %2.</translation>
+    </message>
+    <message>
+        <source>%1 fits barely better than an unrelated back.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ταιριάζει ελάχιστα καλύτερα από μια άσχετη πίσω όψη.</translation>
+    </message>
+    <message>
+        <source>Ambiguous: a second position fits almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αμφίσημο: μια δεύτερη θέση ταιριάζει σχεδόν εξίσου καλά.</translation>
+    </message>
+    <message>
+        <source>%1 confident</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Βεβαιότητα %1</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Έλεγχος</translation>
+    </message>
+    <message>
+        <source>No back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Χωρίς πίσω όψη</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Βέβαιο</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αποφασίστηκε</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Στην άκρη</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Νέα λήψη</translation>
+    </message>
+    <message>
+        <source>To be reshot, decided by %1 on %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Για νέα λήψη, απόφαση %1, %2.</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αντικατάσταση με τη μετρημένη τιμή</translation>
+    </message>
+    <message>
+        <source>Delete computed value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διαγραφή της υπολογισμένης τιμής</translation>
+    </message>
+    <message>
+        <source>Save this value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αποθήκευση αυτής της τιμής</translation>
+    </message>
+    <message>
+        <source>%1 (computed %2)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 (υπολογισμένο %2)</translation>
     </message>
 </context>
 <context>
@@ -900,16 +927,6 @@
         <numerusform>%n όστρακο, βέβαιο</numerusform>
         <numerusform>%n όστρακα, όλα βέβαια</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>a draft: look, then compute it again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>προσχέδιο: δείτε το και υπολογίστε ξανά</translation>
-    </message>
-    <message>
-      <source>the scale is not right: see the report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>η κλίμακα δεν είναι σωστή: δείτε την αναφορά</translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
@@ -972,46 +989,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2, %3 %</translation>
     </message>
-    <message>
-      <source>being photographed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>φωτογραφίζεται</translation>
-    </message>
-    <message>
-      <source>waits for its turn</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>περιμένει τη σειρά της</translation>
-    </message>
-    <message>
-      <source>is being computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>υπολογίζεται</translation>
-    </message>
-    <message>
-      <source>paused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>σε παύση</translation>
-    </message>
-    <message>
-      <source>stopped</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>σταμάτησε</translation>
-    </message>
-    <message>
-      <source>wants your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>θέλει το μάτι σας</translation>
-    </message>
-    <message>
-      <source>done</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>έτοιμη</translation>
-    </message>
-    <message>
-      <source>decided; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αποφασισμένη· μένει ο υπολογισμός</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1020,21 +997,6 @@
         <numerusform>%n όστρακα</numerusform>
       </translation>
     </message>
-    <message>
-      <source>sure %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>βέβαια %1</translation>
-    </message>
-    <message>
-      <source>decided %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αποφασισμένα %1</translation>
-    </message>
-    <message>
-      <source>ask %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αμφίβολα %1</translation>
-    </message>
     <message numerus="yes">
       <source>%1; but %n counted on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1042,11 +1004,6 @@
         <numerusform>%1· αλλά %n μετρήθηκε στον δίσκο</numerusform>
         <numerusform>%1· αλλά %n μετρήθηκαν στον δίσκο</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>draft, to be computed again; %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>προσχέδιο, να υπολογιστεί ξανά· %1</translation>
     </message>
     <message>
       <source>%1 waits for the draft of %2.</source>
@@ -1064,11 +1021,6 @@
       <translation>Για αυτή την παρτίδα οι κάμερες βρέθηκαν εκ νέου· βαθμονομήστε ξανά τη διάταξη (C).</translation>
     </message>
     <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>παραμερίστηκε</translation>
-    </message>
-    <message>
       <source>It did not come to its end; compute it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν έφτασε στο τέλος της· υπολογίστε την ξανά.</translation>
@@ -1077,19 +1029,6 @@
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Την παραμερίσατε. Οι φωτογραφίες της μένουν· το R την παίρνει πάλι.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%1; %n to be photographed again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1· %n για νέα φωτογράφιση</numerusform>
-        <numerusform>%1· %n για νέα φωτογράφιση</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>masks were mended; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>διορθώθηκαν μάσκες· να υπολογιστεί</translation>
     </message>
     <message>
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
@@ -1107,6 +1046,94 @@
       <translation>
             <numerusform>%1· %n φωτογραφήθηκε ξανά από τότε</numerusform>
             <numerusform>%1· %n φωτογραφήθηκαν ξανά από τότε</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Στην άκρη</translation>
+    </message>
+    <message>
+        <source>Capturing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Σε αναμονή</translation>
+    </message>
+    <message>
+        <source>Processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Σε επεξεργασία</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Σε παύση</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διακόπηκε</translation>
+    </message>
+    <message>
+        <source>Needs review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Θέλει έλεγχο</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Έτοιμο</translation>
+    </message>
+    <message>
+        <source>Draft: review it, then reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πρόχειρο: ελέγξτε και επανεπεξεργαστείτε</translation>
+    </message>
+    <message>
+        <source>Masks edited: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Οι μάσκες άλλαξαν: επανεπεξεργασία</translation>
+    </message>
+    <message>
+        <source>Scale in doubt: see the report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αμφίβολη κλίμακα: δείτε την αναφορά</translation>
+    </message>
+    <message>
+        <source>Decided: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αποφασίστηκε: επανεπεξεργασία</translation>
+    </message>
+    <message>
+        <source>%1 sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 βέβαια</translation>
+    </message>
+    <message>
+        <source>%1 decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 αποφασισμένα</translation>
+    </message>
+    <message>
+        <source>%1 to review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 για έλεγχο</translation>
+    </message>
+    <message>
+        <source>draft, to be reprocessed; %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>πρόχειρο, για επανεπεξεργασία· %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n to reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%1· %n για νέα λήψη</numerusform>
+            <numerusform>%1· %n για νέα λήψη</numerusform>
         </translation>
     </message>
 </context>
@@ -1159,11 +1186,6 @@
       <source>Change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αλλαγή</translation>
-    </message>
-    <message>
-      <source>Give numbers to the drafts</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αρίθμηση των πρόχειρων</translation>
     </message>
     <message>
       <source>Field</source>
@@ -1226,6 +1248,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακοπή και ανάκληση</translation>
     </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Απόδοση αριθμών</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αντικατάσταση με τη μετρημένη τιμή</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n τιμή χρειάζεται επιβεβαίωση.</numerusform>
+            <numerusform>%n τιμές χρειάζονται επιβεβαίωση.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -1233,16 +1273,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άλλη πίσω όψη …</translation>
-    </message>
-    <message>
-      <source>rim %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ακμή %1</translation>
-    </message>
-    <message>
-      <source>no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς ακμή</translation>
     </message>
     <message>
       <source>%1, with %2</source>
@@ -1266,6 +1296,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ελεύθερο</translation>
     </message>
+    <message>
+        <source>gap %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>κενό %1</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>χωρίς επαφή</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1278,16 +1318,6 @@
       <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Με πληκτρολόγηση, από αναγνώστη κωδικών, ή από την ετικέτα της σακούλας κάτω από την κάμερα</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Περισσότερα</translation>
-    </message>
-    <message>
-      <source>Import, another rig, set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εισαγωγή, άλλη διάταξη, παραμερισμός</translation>
     </message>
 </context>
 <context>
@@ -1309,16 +1339,6 @@
         <numerusform>%1: εισήχθη %n αρχείο· είναι στην ουρά.</numerusform>
         <numerusform>%1: εισήχθησαν %n αρχεία· είναι στην ουρά.</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εντάξει</translation>
-    </message>
-    <message>
-      <source>The next thing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το επόμενο</translation>
     </message>
     <message>
       <source>Stop the table</source>
@@ -1460,6 +1480,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι σωστοί</translation>
     </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η προηγούμενη διάταξη παραμένει σε χρήση.</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επόμενο βήμα</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1515,11 +1550,6 @@
       <source>No rig yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει ακόμη διάταξη</translation>
-    </message>
-    <message>
-      <source>The rig is being opened</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η διάταξη ανοίγει</translation>
     </message>
     <message>
       <source>Lay the sherds on the plate</source>
@@ -1612,11 +1642,6 @@
       <translation>Είναι σωστό: στην ουρά</translation>
     </message>
     <message>
-      <source>Stop %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στάση %1 από %2</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια στιγμή</translation>
@@ -1691,11 +1716,6 @@
       <translation>Το %1 % των οστράκων είναι πολύ φωτεινό</translation>
     </message>
     <message>
-      <source>Light is right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το φως είναι σωστό</translation>
-    </message>
-    <message>
       <source>Read from the label: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Από την ετικέτα: %1</translation>
@@ -1749,16 +1769,6 @@
       <translation>Τα όστρακά της είναι στον έλεγχο (Ctrl+3): δείτε τα όσο είναι ακόμη εδώ</translation>
     </message>
     <message>
-      <source>The table stands still. What is safe is not photographed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το τραπέζι είναι ακίνητο. Ό,τι είναι ασφαλές δεν φωτογραφίζεται ξανά.</translation>
-    </message>
-    <message>
-      <source>Go on at stop %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Συνέχεια στη στάση %1</translation>
-    </message>
-    <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 διακόπηκε στη μέση αυτής της πλευράς.</translation>
@@ -1787,6 +1797,61 @@
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: δείτε μήπως κάποιο είναι σε κομμάτια ή υπάρχει κάτι που δεν είναι όστρακο, ή διορθώστε τον αριθμό.</translation>
+    </message>
+    <message>
+        <source>The rig does not open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η διάταξη δεν ανοίγει</translation>
+    </message>
+    <message>
+        <source>Taking calibration photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη φωτογραφιών βαθμονόμησης</translation>
+    </message>
+    <message>
+        <source>The virtual rig turns the sherds over</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η εικονική διάταξη γυρίζει τα όστρακα</translation>
+    </message>
+    <message>
+        <source>The table stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η τράπεζα είναι ακίνητη. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>Nothing to do by hand: shoot the backs.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Τίποτα με το χέρι: φωτογραφίστε τις πίσω όψεις.</translation>
+    </message>
+    <message>
+        <source>Resume at position %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συνέχεια στη θέση %1</translation>
+    </message>
+    <message>
+        <source>Shoot the backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη πίσω όψεων</translation>
+    </message>
+    <message>
+        <source>Calibration photograph %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φωτογραφία βαθμονόμησης %1 από %2</translation>
+    </message>
+    <message>
+        <source>Position %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Θέση %1 από %2</translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Άνοιγμα της διάταξης</translation>
+    </message>
+    <message>
+        <source>Lighting OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φωτισμός OK</translation>
     </message>
 </context>
 <context>
@@ -1833,21 +1898,6 @@
       <source>Edit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επεξεργασία</translation>
-    </message>
-    <message>
-      <source>Give numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αρίθμηση</translation>
-    </message>
-    <message>
-      <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπάρχουν ακόμη όστρακα. Έρχονται μόνα τους όταν υπολογιστεί μια παρτίδα· αρχίστε από τη Λήψη.</translation>
-    </message>
-    <message>
-      <source>No sherd fits. Take a condition away.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κανένα όστρακο δεν ταιριάζει. Αφαιρέστε έναν όρο.</translation>
     </message>
     <message>
       <source>change %1</source>
@@ -1923,6 +1973,61 @@
       <source>Choose the sherds that are to get numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επιλέξτε τα όστρακα που θα πάρουν αριθμό.</translation>
+    </message>
+    <message>
+        <source>No sherds yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν υπάρχουν ακόμη όστρακα</translation>
+    </message>
+    <message>
+        <source>Sherds appear here when a batch is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Τα όστρακα εμφανίζονται εδώ όταν επεξεργαστεί μια παρτίδα.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη παρτίδας</translation>
+    </message>
+    <message>
+        <source>No sherds match this filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Κανένα όστρακο δεν ταιριάζει στο φίλτρο</translation>
+    </message>
+    <message>
+        <source>Remove a condition to see more.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αφαιρέστε μια συνθήκη για να δείτε περισσότερα.</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Καθαρισμός φίλτρου</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μοντέλο</translation>
+    </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Απόδοση αριθμών</translation>
+    </message>
+    <message>
+        <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ένα ακυρωμένο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε δίσκο, και ο αριθμός του δεν ξαναδίνεται. Είναι ακυρωμένο το %1: «%2»;</translation>
+    </message>
+    <message>
+        <source>no number yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ακόμη χωρίς αριθμό</translation>
+    </message>
+    <message>
+        <source>Yes, it is void</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ναι, είναι ακυρωμένο</translation>
     </message>
 </context>
 <context>
@@ -2230,11 +2335,6 @@
       <translation>Όλα τα όστρακα</translation>
     </message>
     <message>
-      <source>Those that fit this filter:</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όσα ταιριάζουν σε αυτό το φίλτρο:</translation>
-    </message>
-    <message>
       <source>Filter of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φίλτρο της εξαγωγής</translation>
@@ -2245,19 +2345,9 @@
       <translation>πλαίσιο:0012</translation>
     </message>
     <message>
-      <source>Forms</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μορφές</translation>
-    </message>
-    <message>
       <source>Tables (CSV), for spreadsheets</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πίνακες (CSV), για λογιστικά φύλλα</translation>
-    </message>
-    <message>
-      <source>Records (JSON), to be read back whole</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εγγραφές (JSON), που διαβάζονται πάλι ολόκληρες</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2305,11 +2395,6 @@
       <translation>Πρόοδος της εξαγωγής</translation>
     </message>
     <message>
-      <source>Stop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακοπή</translation>
-    </message>
-    <message>
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άνοιγμα φακέλου</translation>
@@ -2318,11 +2403,6 @@
       <source>Where shall the folder be?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πού να είναι ο φάκελος;</translation>
-    </message>
-    <message>
-      <source>Those chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα επιλεγμένα στον κατάλογο</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2378,11 +2458,6 @@
       <translation>Για PLY, GLB και OBJ: με λιγότερα τρίγωνα τα αρχεία είναι πολύ μικρότερα. Η απόκλισή τους μετριέται και γράφεται σε καθένα.</translation>
     </message>
     <message>
-      <source>as computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>όπως υπολογίστηκαν</translation>
-    </message>
-    <message>
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ελαφρύτερα, έως %1 mm</translation>
@@ -2401,6 +2476,36 @@
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εξαγωγή δεν έχει τελειώσει και δεν θα έμενε τίποτα από αυτήν. Κλείστε ξανά για να διακοπεί.</translation>
+    </message>
+    <message>
+        <source>Matching the filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Που ταιριάζουν στο φίλτρο</translation>
+    </message>
+    <message>
+        <source>Formats</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μορφές</translation>
+    </message>
+    <message>
+        <source>Records (JSON), re-importable</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εγγραφές (JSON), επανεισαγώγιμες</translation>
+    </message>
+    <message>
+        <source>Full detail</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πλήρης λεπτομέρεια</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ακύρωση</translation>
+    </message>
+    <message>
+        <source>Selected sherds</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επιλεγμένα όστρακα</translation>
     </message>
 </context>
 <context>
@@ -2452,9 +2557,9 @@
       <translation>Πρόοδος του υπολογισμού</translation>
     </message>
     <message>
-      <source>Nothing to compute</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τίποτα για υπολογισμό</translation>
+        <source>Idle</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αδρανές</translation>
     </message>
 </context>
 <context>
@@ -2649,11 +2754,6 @@
       <translation>γιατί όχι</translation>
     </message>
     <message>
-      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένας πίνακας οστράκων έχει στήλη number ή uuid· ένας πλαισίων έχει site, context και, αν θέλετε, trench και bag.</translation>
-    </message>
-    <message>
       <source>Looking at it …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εξέταση …</translation>
@@ -2691,6 +2791,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κράτηση των άλλων εκδοχών</translation>
     </message>
+    <message>
+        <source>to confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>προς επιβεβαίωση</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Γραμμές</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Στήλες</translation>
+    </message>
+    <message numerus="yes">
+        <source>Columns (%n to check)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Στήλες (%n προς έλεγχο)</numerusform>
+            <numerusform>Στήλες (%n προς έλεγχο)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ένας πίνακας οστράκων έχει στήλη με τους αριθμούς τους· ένας πίνακας ενοτήτων έχει στήλες θέσης και ανασκαφικής ενότητας. Τα ονόματά τους μπορεί να είναι σε οποιαδήποτε γλώσσα του προγράμματος.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Confirm %n row(s)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Επιβεβαίωση %n γραμμής</numerusform>
+            <numerusform>Επιβεβαίωση %n γραμμών</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2727,6 +2863,14 @@
         <numerusform>Σταμάτησε: %n γραμμές δεν καταχωρήθηκαν. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n γραμμή χρειάζεται επιβεβαίωση.</numerusform>
+            <numerusform>%n γραμμές χρειάζονται επιβεβαίωση.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2749,11 +2893,6 @@
       <translation>Ostraka</translation>
     </message>
     <message>
-      <source>%1 is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η %1 υπολογίστηκε.</translation>
-    </message>
-    <message>
       <source>%1 stopped: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 σταμάτησε: %2</translation>
@@ -2762,11 +2901,6 @@
       <source>Undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αναίρεση</translation>
-    </message>
-    <message>
-      <source>Do again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Επανάληψη</translation>
     </message>
     <message>
       <source>Manual</source>
@@ -2849,11 +2983,6 @@
       <translation>Αναίρεση: %1</translation>
     </message>
     <message>
-      <source>Do again: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Επανάληψη: %1</translation>
-    </message>
-    <message>
       <source>Copy of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αντίγραφο του καταλόγου</translation>
@@ -2873,6 +3002,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
     </message>
+    <message>
+        <source>%1 is ready.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Το %1 είναι έτοιμο.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επανάληψη: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
@@ -2887,29 +3031,14 @@
       <translation>Εκτύπωση χάρτη και ετικετών</translation>
     </message>
     <message>
-      <source>Print map and labels   Ctrl+P</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εκτύπωση χάρτη και ετικετών   Ctrl+P</translation>
-    </message>
-    <message>
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακο %1</translation>
     </message>
     <message>
-      <source>No batch is computed yet; its map appears here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπολογίστηκε ακόμη παρτίδα· ο χάρτης της εμφανίζεται εδώ.</translation>
-    </message>
-    <message>
       <source>Map of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χάρτης της %1</translation>
-    </message>
-    <message>
-      <source>%1-%2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -2977,6 +3106,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε: %1</translation>
     </message>
+    <message>
+        <source>No map yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν υπάρχει ακόμη χάρτης</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φωτογραφίστε ή εισαγάγετε μια παρτίδα. Μετά την επεξεργασία, ο χάρτης δείχνει πού ήταν κάθε όστρακο.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη παρτίδας</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3009,14 +3153,14 @@
       <translation>Τι συνέβη</translation>
     </message>
     <message>
-      <source>Leave it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Άφησέ το</translation>
+        <source>Dismiss</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Παράβλεψη</translation>
     </message>
     <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εντάξει</translation>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -3181,24 +3325,9 @@
       <translation>το %1 στην άκρη</translation>
     </message>
     <message>
-      <source>shooting %1 again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>νέα λήψη του %1</translation>
-    </message>
-    <message>
       <source>One of the two has no back to be joined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το ένα από τα δύο δεν έχει πίσω όψη για ένωση.</translation>
-    </message>
-    <message>
-      <source>joining %1 and %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ένωση των %1 και %2</translation>
-    </message>
-    <message>
-      <source>cutting %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κόψιμο του %1</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3264,6 +3393,21 @@
       <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι ακμές του %1 και του %2 μόλις συναντιούνται: το %3.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>νέα λήψη: %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>συγχώνευση %1 και %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>διαίρεση: %1</translation>
     </message>
 </context>
 <context>
@@ -3376,26 +3520,6 @@
       <translation>Παύση</translation>
     </message>
     <message>
-      <source>Compute again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Νέος υπολογισμός</translation>
-    </message>
-    <message>
-      <source>Stop this batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακοπή αυτής της παρτίδας</translation>
-    </message>
-    <message>
-      <source>Report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αναφορά</translation>
-    </message>
-    <message>
-      <source>Review it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Έλεγχός της</translation>
-    </message>
-    <message>
       <source>Log</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ημερολόγιο</translation>
@@ -3416,16 +3540,6 @@
       <translation>Καμία παρτίδα ακόμη</translation>
     </message>
     <message>
-      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ό,τι φωτογραφίζετε ή εισάγετε υπολογίζεται εδώ, η μία παρτίδα μετά την άλλη, ενώ συνεχίζετε.</translation>
-    </message>
-    <message>
-      <source>Photograph the first batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φωτογράφιση της πρώτης παρτίδας</translation>
-    </message>
-    <message>
       <source>Queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ουρά</translation>
@@ -3439,39 +3553,9 @@
       </translation>
     </message>
     <message>
-      <source>Go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Συνέχεια</translation>
-    </message>
-    <message>
       <source>%1 has no report yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 δεν έχει ακόμη αναφορά.</translation>
-    </message>
-    <message>
-      <source>Stop %1?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακοπή της %1;</translation>
-    </message>
-    <message>
-      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Υπολογίζεται πάνω από μία ώρα. Τα ολοκληρωμένα στάδια κρατιούνται, το τωρινό χάνεται.</translation>
-    </message>
-    <message>
-      <source>Stop it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακοπή</translation>
-    </message>
-    <message>
-      <source>Let it go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Να συνεχίσει</translation>
-    </message>
-    <message>
-      <source>Mend the masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διόρθωση μασκών</translation>
     </message>
     <message>
       <source>Drafts first</source>
@@ -3479,24 +3563,99 @@
       <translation>Πρώτα προσχέδια</translation>
     </message>
     <message>
-      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Υπολογίζει κάθε νέα παρτίδα γρήγορα και χονδρικά, για να τη δείτε όσο τα όστρακα είναι ακόμη εκεί· αν υπολογιστεί ξανά γίνεται οριστική (D)</translation>
-    </message>
-    <message>
-      <source>Calibrate the rig again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Νέα βαθμονόμηση της διάταξης</translation>
-    </message>
-    <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια κάμερα μετακινήθηκε: οι φωτογραφίες της παρτίδας δείχνουν πού είναι τώρα (C)</translation>
     </message>
     <message>
-      <source>Set this batch aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Παραμερισμός αυτής της παρτίδας</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επανεπεξεργασία</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ακύρωση</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εμφάνιση αναφοράς</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Έλεγχος</translation>
+    </message>
+    <message>
+        <source>Edit masks</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επεξεργασία μασκών</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Άνοιγμα</translation>
+    </message>
+    <message>
+        <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επεξεργάζεται κάθε νέα παρτίδα γρήγορα και αδρά, για έλεγχο όσο τα όστρακα είναι στην πλάκα· η επανεπεξεργασία την οριστικοποιεί (D)</translation>
+    </message>
+    <message>
+        <source>Recalibrate rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Νέα βαθμονόμηση</translation>
+    </message>
+    <message>
+        <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ό,τι φωτογραφίζετε ή εισάγετε επεξεργάζεται εδώ, μία παρτίδα τη φορά, ενώ συνεχίζετε.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη παρτίδας</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Παρτίδα</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Στην άκρη</translation>
+    </message>
+    <message>
+        <source>Cancel %1?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ακύρωση του %1;</translation>
+    </message>
+    <message>
+        <source>It has been processing for more than an hour. Finished stages are saved; the current one is lost.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η επεξεργασία διαρκεί πάνω από μία ώρα. Τα ολοκληρωμένα στάδια είναι αποθηκευμένα· το τρέχον χάνεται.</translation>
+    </message>
+    <message>
+        <source>Cancel it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ακύρωση</translation>
+    </message>
+    <message>
+        <source>Keep processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συνέχιση επεξεργασίας</translation>
     </message>
 </context>
 <context>
@@ -3523,11 +3682,6 @@
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ζεύγη, τα πιο αμφίβολα πρώτα</translation>
-    </message>
-    <message>
-      <source>This one</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό</translation>
     </message>
     <message>
       <source>Next pair</source>
@@ -3570,11 +3724,6 @@
       <translation>Κατοπτρικά</translation>
     </message>
     <message>
-      <source>Apart</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χωριστά</translation>
-    </message>
-    <message>
       <source>Section</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τομή</translation>
@@ -3585,59 +3734,14 @@
       <translation>Μέτρηση</translation>
     </message>
     <message>
-      <source>Rim gap</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κενό ακμής</translation>
-    </message>
-    <message>
       <source>Model</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μοντέλο</translation>
     </message>
     <message>
-      <source>Settle</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ρύθμιση</translation>
-    </message>
-    <message>
-      <source>Let the rims settle the position (B)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές ρυθμίζουν τη θέση (B)</translation>
-    </message>
-    <message>
       <source>Set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στην άκρη</translation>
-    </message>
-    <message>
-      <source>Shoot again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Νέα λήψη</translation>
-    </message>
-    <message>
-      <source>Cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κόψιμο</translation>
-    </message>
-    <message>
-      <source>Join</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένωση</translation>
-    </message>
-    <message>
-      <source>%1 %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>%1, key %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, πλήκτρο %2</translation>
-    </message>
-    <message>
-      <source>This one   Enter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό   Enter</translation>
     </message>
     <message>
       <source>The rims are compared … Esc stops.</source>
@@ -3655,26 +3759,6 @@
       <translation>Ζεύγη της παρτίδας</translation>
     </message>
     <message>
-      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένωση δύο κομματιών ενός οστράκου: μετά επιλέξτε την άλλη κάρτα (J μπροστινές, Shift+J πίσω)</translation>
-    </message>
-    <message>
-      <source>Join backs</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένωση πίσω όψεων</translation>
-    </message>
-    <message>
-      <source>Settle, join and cut nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία προσαρμογή, ένωση ή κοπή</translation>
-    </message>
-    <message>
-      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κοπή κομματιού που στην πραγματικότητα είναι δύο όστρακα, κατά μήκος γραμμής πάνω στην εικόνα του (K)</translation>
-    </message>
-    <message>
       <source>The rims settle: %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι ακμές προσαρμόζονται: %1. Το Esc διακόπτει.</translation>
@@ -3683,6 +3767,86 @@
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάντε κλικ στο ένα άκρο του μήκους πάνω στο όστρακο, μετά στο άλλο. Το D τελειώνει.</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αποδοχή</translation>
+    </message>
+    <message>
+        <source>Leave merging and splitting</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Έξοδος από συγχώνευση και διαίρεση</translation>
+    </message>
+    <message>
+        <source>Refine fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Βελτίωση εφαρμογής</translation>
+    </message>
+    <message>
+        <source>Refine the position by the fracture surfaces (B)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Βελτίωση θέσης με βάση τις θραύσεις (B)</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Νέα λήψη</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Προβολή</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εφαρμογή</translation>
+    </message>
+    <message>
+        <source>Decide</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Απόφαση</translation>
+    </message>
+    <message>
+        <source>Explode</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διαχωρισμός</translation>
+    </message>
+    <message>
+        <source>Fracture gap</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Κενό θραύσης</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διαίρεση</translation>
+    </message>
+    <message>
+        <source>Split a scan of two sherds along a line over its photograph (K)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διαίρεση σάρωσης δύο οστράκων κατά μήκος γραμμής στη φωτογραφία (K)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συγχώνευση</translation>
+    </message>
+    <message>
+        <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συγχώνευση δύο θραυσμάτων ενός οστράκου: επιλέξτε μετά την άλλη κάρτα (J πρόσθιες, Shift+J πίσω)</translation>
+    </message>
+    <message>
+        <source>Merge backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Συγχώνευση πίσω όψεων</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -3701,21 +3865,6 @@
       <source>Your initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα αρχικά σας</translation>
-    </message>
-    <message>
-      <source>Compute what changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Υπολογισμός των αλλαγών</translation>
-    </message>
-    <message>
-      <source>Makes the models of the pairs that were decided anew</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φτιάχνει τα μοντέλα των ζευγών που αποφασίστηκαν ξανά</translation>
-    </message>
-    <message>
-      <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπολογίστηκε ακόμη παρτίδα. Φωτογραφίστε ή εισαγάγετε μία· τα ζεύγη της εμφανίζονται εδώ.</translation>
     </message>
     <message>
       <source>Opening %1</source>
@@ -3761,11 +3910,6 @@
       <translation>Έλεγχος</translation>
     </message>
     <message>
-      <source>Where its report is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Προς την αναφορά της</translation>
-    </message>
-    <message>
       <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καμία μέτρηση της %1 δεν είναι βέβαιη. %2</translation>
@@ -3786,11 +3930,6 @@
       <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο κρατά τον αριθμό %1 και ο %2 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
     </message>
     <message>
-      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 φωτογραφήθηκε ξανά ως %2 στην %3 και έχει τώρα μία εγγραφή επιπλέον: ακυρώστε την στον κατάλογο ή αφήστε εδώ το κομμάτι στην άκρη.</translation>
-    </message>
-    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στην %1 δεν είναι γνωστό κανένα μήκος: κανένας αριθμός και κανένα μήκος εδώ δεν είναι σε χιλιοστά.</translation>
@@ -3799,6 +3938,41 @@
       <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε. Κατά τον υπολογισμό ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα ενώνει πάλι.</translation>
+    </message>
+    <message>
+        <source>Update changed models</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ενημέρωση αλλαγμένων μοντέλων</translation>
+    </message>
+    <message>
+        <source>Reprocesses the pairs that were decided differently</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επανεπεξεργάζεται τα ζεύγη που αποφασίστηκαν αλλιώς</translation>
+    </message>
+    <message>
+        <source>No pairs to review yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν υπάρχουν ακόμη ζεύγη για έλεγχο</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φωτογραφίστε ή εισαγάγετε μια παρτίδα. Τα ζεύγη εμφανίζονται εδώ μετά την επεξεργασία.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη παρτίδας</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εμφάνιση αναφοράς</translation>
+    </message>
+    <message>
+        <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Το %1 φωτογραφήθηκε ξανά ως %2 στο %3 και έχει τώρα δύο εγγραφές. Ακυρώστε μία στον κατάλογο ή αφήστε εδώ το θραύσμα στην άκρη.</translation>
     </message>
 </context>
 <context>
@@ -3888,6 +4062,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διάστημα</translation>
     </message>
+    <message>
+        <source>Keep current rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διατήρηση τρέχουσας διάταξης</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
@@ -3925,11 +4104,6 @@
 <context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
-      <source>As the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όπως η επιφάνεια εργασίας</translation>
-    </message>
-    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτεινό</translation>
@@ -3960,11 +4134,6 @@
       <translation>Τα &amp;αρχικά σας</translation>
     </message>
     <message>
-      <source>They stand in the history of each decision.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αναγράφονται στο ιστορικό κάθε απόφασης.</translation>
-    </message>
-    <message>
       <source>&amp;Theme</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Θέμα</translation>
@@ -3985,11 +4154,6 @@
       <translation>&amp;Γλώσσα</translation>
     </message>
     <message>
-      <source>Holds from the next start.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ισχύει από την επόμενη εκκίνηση.</translation>
-    </message>
-    <message>
       <source>&amp;Processors for computing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Επεξεργαστές για υπολογισμό</translation>
@@ -4000,9 +4164,24 @@
       <translation>%1 %</translation>
     </message>
     <message>
-      <source>Back to work (Esc)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Πίσω στη δουλειά (Esc)</translation>
+        <source>Follow system</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Όπως το σύστημα</translation>
+    </message>
+    <message>
+        <source>Recorded with each decision.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Καταγράφονται σε κάθε απόφαση.</translation>
+    </message>
+    <message>
+        <source>Takes effect after restart.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ισχύει μετά την επανεκκίνηση.</translation>
+    </message>
+    <message>
+        <source>Back to project (Esc)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πίσω στο έργο (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4181,19 +4360,19 @@
       <translation>Δεν αποθηκεύτηκε ακόμη: %1. Το Enter στο πεδίο το αποθηκεύει.</translation>
     </message>
     <message>
-      <source>Yes, it is void</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ναι, είναι άκυρο</translation>
-    </message>
-    <message>
-      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα άκυρο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε πίνακα, και ο αριθμός του δεν δίνεται ποτέ ξανά. Είναι το %1 άκυρο: «%2»;</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 είναι ο αύξων αριθμός στο πλαίσιο του οστράκου· =7 είναι ο ίδιος ο αριθμός 7.</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επιβεβαίωση</translation>
+    </message>
+    <message>
+        <source>computed; replaced by the measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>υπολογισμένη· αντικαταστάθηκε από τη μετρημένη τιμή</translation>
     </message>
 </context>
 <context>
@@ -4267,6 +4446,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: η κλίμακα της παρτίδας %2 είναι αμφίβολη· η αναφορά της λέει γιατί και τι να γίνει.</translation>
     </message>
+    <message>
+        <source>%1: measured by hand; the computed value is kept beside it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: μετρημένο με το χέρι· η υπολογισμένη τιμή διατηρείται δίπλα.</translation>
+    </message>
+    <message>
+        <source>%1: %2, measured by hand</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: %2, μετρημένο με το χέρι</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
@@ -4299,11 +4488,6 @@
       <translation>&amp;Έργα</translation>
     </message>
     <message>
-      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κανένα έργο ακόμη. Φτιάξτε ένα, ή δοκιμάστε τα πάντα με την εικονική διάταξη: σπάει ένα αγγείο και φωτογραφίζει τα όστρακά του για εσάς.</translation>
-    </message>
-    <message>
       <source>&amp;Open a project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Άνοιγμα έργου…</translation>
@@ -4334,11 +4518,6 @@
       <translation>Επιλογή του φακέλου</translation>
     </message>
     <message>
-      <source>Make the project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δημιουργία έργου</translation>
-    </message>
-    <message>
       <source>&amp;Name</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό&amp;νομα</translation>
@@ -4364,21 +4543,11 @@
       <translation>Α&amp;ρίθμηση</translation>
     </message>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα όστρακο θα είναι</translation>
-    </message>
-    <message>
       <source>%1
 %2, %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2, %3</translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εντάξει</translation>
     </message>
     <message>
       <source>Folder of the new project</source>
@@ -4417,6 +4586,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βοήθεια</translation>
     </message>
+    <message>
+        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν υπάρχει ακόμη έργο. Δημιουργήστε ένα ή δοκιμάστε τα πάντα με την εικονική διάταξη: σπάει ένα αγγείο και φωτογραφίζει τα όστρακά του.</translation>
+    </message>
+    <message>
+        <source>Create project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δημιουργία έργου</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Παράδειγμα</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>OK</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4447,34 +4636,44 @@
       <translation>%1 mm</translation>
     </message>
     <message>
-      <source>front: blue rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>μπροστά: μπλε ακμή</translation>
+        <source>Front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μπροστινή όψη</translation>
     </message>
     <message>
-      <source>back: red rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>πίσω: κόκκινη ακμή</translation>
+        <source>Back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πίσω όψη</translation>
     </message>
     <message>
-      <source>%1 mm and more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 mm και πάνω</translation>
+        <source>No scale: lengths are not known</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Χωρίς κλίμακα: τα μήκη δεν είναι γνωστά</translation>
     </message>
     <message>
-      <source>0 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>0 mm</translation>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>χωρίς επαφή</translation>
     </message>
     <message>
-      <source>gap between the sides along the rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κενό μεταξύ των όψεων κατά μήκος της ακμής</translation>
+        <source>filled in, not seen by a camera</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>συμπληρωμένο, δεν το είδε κάμερα</translation>
     </message>
     <message>
-      <source>grey: not met by the other side</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>γκρι: η άλλη πλευρά δεν φτάνει εδώ</translation>
+        <source>Distance between the sides along the fracture</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Απόσταση των όψεων κατά μήκος της θραύσης</translation>
+    </message>
+    <message>
+        <source>front outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>μπροστινή όψη έξω κατά %1</translation>
+    </message>
+    <message>
+        <source>back outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>πίσω όψη έξω κατά %1</translation>
     </message>
 </context>
 <context>
@@ -4540,14 +4739,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μάσκες του %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n photograph(s) mended; what follows from them is computed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n φωτογραφία διορθώθηκε· ό,τι προκύπτει από αυτήν υπολογίζεται ξανά.</numerusform>
-        <numerusform>%n φωτογραφίες διορθώθηκαν· ό,τι προκύπτει από αυτές υπολογίζεται ξανά.</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4557,11 +4748,6 @@
       <source>Brush's &amp;width</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Πλάτος πινέλου</translation>
-    </message>
-    <message>
-      <source>Compute with these</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Υπολογισμός με αυτές</translation>
     </message>
     <message>
       <source>Larger</source>
@@ -4584,11 +4770,6 @@
       <translation>Φωτογραφία</translation>
     </message>
     <message>
-      <source>Photograph before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Προηγούμενη φωτογραφία</translation>
-    </message>
-    <message>
       <source>Plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δίσκος</translation>
@@ -4599,14 +4780,37 @@
       <translation>Όστρακο</translation>
     </message>
     <message>
-      <source>The photograph is being read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η φωτογραφία διαβάζεται.</translation>
+        <source>Previous photograph</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Προηγούμενη φωτογραφία</translation>
     </message>
     <message>
-      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ό,τι καλύπτεται με γαλάζιο θεωρείται όστρακο. Ζωγραφίστε ό,τι λείπει ή, ως δίσκο, ό,τι περισσεύει· οι μάσκες του προγράμματος μένουν.</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επανεπεξεργασία</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πινέλο</translation>
+    </message>
+    <message>
+        <source>Loading photograph…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φόρτωση φωτογραφίας…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) edited. Reprocess to update what follows from them.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Άλλαξε %n φωτογραφία. Επανεπεξεργαστείτε για ενημέρωση.</numerusform>
+            <numerusform>Άλλαξαν %n φωτογραφίες. Επανεπεξεργαστείτε για ενημέρωση.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μπλε: αναγνωρίστηκε ως όστρακο. Βάψτε ό,τι λείπει ως όστρακο και τα λάθη ως πλάκα· οι μάσκες του προγράμματος μένουν.</translation>
     </message>
 </context>
 <context>
@@ -6070,11 +6274,6 @@
       <translation>Όστρακα με τον όρο «%1»: %2· αλλάξτε πρώτα αυτά.</translation>
     </message>
     <message>
-      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κατάλογος είναι κατεστραμμένος (%1)· επαναφέρετε το νεότερο αρχείο από τον φάκελο backups.</translation>
-    </message>
-    <message>
       <source>a row of %1 points at nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μια γραμμή του %1 δεν δείχνει πουθενά</translation>
@@ -6095,11 +6294,6 @@
       <translation>Το αντίγραφο ασφαλείας δεν περιέχει όσα αποθηκεύτηκαν· δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>The backup cannot be given its name; check the folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το αντίγραφο ασφαλείας δεν μπορεί να πάρει το όνομά του· ελέγξτε τον φάκελο.</translation>
-    </message>
-    <message>
       <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος δεν ανοίγει· ελέγξτε ότι ο φάκελος υπάρχει και επιτρέπει εγγραφή.</translation>
@@ -6113,11 +6307,6 @@
       <source>The disk does not answer properly; check it, then open the project again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο σκληρός δίσκος δεν απαντά σωστά· ελέγξτε τον και ανοίξτε ξανά το έργο.</translation>
-    </message>
-    <message>
-      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κατάλογος είναι κατεστραμμένος· επαναφέρετε το νεότερο αρχείο από τον φάκελο backups.</translation>
     </message>
     <message>
       <source>The catalogue does not take this (%1).</source>
@@ -7090,11 +7279,6 @@
       <translation>Η στήλη '%1' υπάρχει δύο φορές.</translation>
     </message>
     <message>
-      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο πίνακας χρειάζεται στήλη 'number' (όστρακα) ή τις στήλες 'site' και 'context' (πλαίσια).</translation>
-    </message>
-    <message>
       <source>These places and batches are not written as Ostraka writes them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτοί οι τόποι και οι παρτίδες δεν είναι γραμμένοι όπως τους γράφει το Ostraka.</translation>
@@ -7733,11 +7917,6 @@
       <source>Look at the masks, and at whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δείτε τις μάσκες, και αν υπήρχαν όστρακα πάνω στον δίσκο.</translation>
-    </message>
-    <message>
-      <source>The folder cannot be made (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο φάκελος δεν δημιουργείται (%1).</translation>
     </message>
     <message>
       <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
@@ -8440,11 +8619,6 @@
       <translation>Η διάταξη χρειάζεται μία κάμερα και τουλάχιστον τέσσερις στάσεις· βαθμονομήστε την ξανά.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one for the batch.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο φάκελος περιέχει ήδη αρχεία· ονομάστε έναν νέο ή άδειο για την παρτίδα.</translation>
-    </message>
-    <message>
       <source>The virtual camera has no setting %1 of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικονική κάμερα δεν έχει ρύθμιση %1 με τιμή %2.</translation>
@@ -8463,11 +8637,6 @@
       <source>This model is gone; compute its batch again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο δεν υπάρχει πια· υπολογίστε ξανά την παρτίδα του.</translation>
-    </message>
-    <message>
-      <source>The model cannot be kept here (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το μοντέλο δεν μπορεί να φυλαχτεί εδώ (%1).</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8689,6 +8858,131 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
+    <message>
+      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος εξόδου δεν υπάρχει πια: μετακινήθηκε ή διαγράφηκε ενώ το πρόγραμμα έγραφε σε αυτόν. Οι φωτογραφίες είναι ανέπαφες· ξεκινήστε ξανά την ίδια εντολή.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος περιέχει ήδη αρχεία· δώστε έναν νέο ή άδειο.</translation>
+    </message>
+    <message>
+      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος είναι ξεχωριστός δίσκος ή εκείνος στον οποίο βρίσκεστε· δώστε έναν νέο φάκελο μέσα του.</translation>
+    </message>
+    <message>
+      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος χρειάζεται για ημιτελή αρχεία, αλλά περιέχει άλλα· μετακινήστε τον.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα κομμάτι με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την μπροστινή όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα κομμάτι με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την πίσω όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
+    </message>
+    <message>
+      <source>If it is one, photograph it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αν είναι, φωτογραφίστε το μόνο του.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ο κατάλογος είναι κατεστραμμένος (%1)· τίποτα δεν άλλαξε και κανένα αντίγραφο ασφαλείας δεν διαγράφηκε. Επαναφέρετέ τον με «ostraka catalogue repair PROJECT».</translation>
+    </message>
+    <message>
+        <source>a page was changed</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>μια σελίδα άλλαξε</translation>
+    </message>
+    <message>
+        <source>its pages do not fit together</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>οι σελίδες του δεν ταιριάζουν μεταξύ τους</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>το αρχείο είναι κενό</translation>
+    </message>
+    <message>
+        <source>the file is not a database</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>το αρχείο δεν είναι βάση δεδομένων</translation>
+    </message>
+    <message>
+        <source>the file belongs to another program</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>το αρχείο ανήκει σε άλλο πρόγραμμα</translation>
+    </message>
+    <message>
+        <source>the file holds no catalogue</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>το αρχείο δεν περιέχει κατάλογο</translation>
+    </message>
+    <message>
+        <source>the header contradicts itself</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>η κεφαλίδα αντιφάσκει</translation>
+    </message>
+    <message>
+        <source>it holds no project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>δεν περιέχει έργο</translation>
+    </message>
+    <message>
+        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ο κατάλογος δεν διαβάζεται· ελέγξτε ότι υπάρχει, καθώς και τα δικαιώματά του.</translation>
+    </message>
+    <message>
+        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί και δεν υπάρχει χώρος για αντίγραφο ανάγνωσης· ελευθερώστε χώρο στον φάκελο προσωρινών αρχείων.</translation>
+    </message>
+    <message>
+        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αυτό το έργο έγινε με παλαιότερο Ostraka και εδώ μπορεί μόνο να διαβαστεί· αντιγράψτε το σε φάκελο όπου μπορείτε να γράψετε και ανοίξτε το εκεί.</translation>
+    </message>
+    <message>
+        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Το αντίγραφο του κατεστραμμένου καταλόγου δεν γράφεται· ελευθερώστε χώρο σε αυτόν τον δίσκο και επισκευάστε τον ξανά.</translation>
+    </message>
+    <message>
+        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ο επισκευασμένος κατάλογος δεν γράφεται· ελευθερώστε χώρο σε αυτόν τον δίσκο και επισκευάστε τον ξανά. Τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ο κατάλογος είναι κατεστραμμένος και κανένα αντίγραφο ασφαλείας του δεν είναι ακέραιο· αντιγράψτε ένα στον φάκελο backups, από αρχειοθήκη ή άλλον δίσκο, και επισκευάστε τον ξανά.</translation>
+    </message>
+    <message>
+        <source>Another program has this project open; close it there, then repair it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Άλλο πρόγραμμα έχει ανοιχτό αυτό το έργο· κλείστε το εκεί και μετά επισκευάστε το.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ο πίνακας χρειάζεται στήλη με τους αριθμούς των οστράκων, ή στήλες θέσης και ανασκαφικής ενότητας (ενότητες)· δηλώστε ποιες είναι.</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Από %1 γραμμές καταχωρίστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -8704,6 +8998,107 @@
         <numerusform>%n αρχείο αυτού του έργου λείπει ή άλλαξε: %1. Επαναφέρετέ το από αντίγραφο· το «ostraka catalogue check» το αναφέρει.</numerusform>
         <numerusform>%n αρχεία αυτού του έργου λείπουν ή άλλαξαν, πρώτο το %1. Επαναφέρετέ τα από αντίγραφο· το «ostraka catalogue check» τα αναφέρει όλα.</numerusform>
       </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ToolRow</name>
+    <message>
+        <source>More</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Περισσότερα</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Περισσότερα εργαλεία</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, πλήκτρο %2</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ColumnTable</name>
+    <message>
+        <source>says nothing about the sherd</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>δεν λέει τίποτα για το όστρακο</translation>
+    </message>
+    <message>
+        <source>unit guessed from the values; check it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>η μονάδα συνάγεται από τις τιμές· ελέγξτε την</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>από το όνομά της</translation>
+    </message>
+    <message>
+        <source>as in the last table with these columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>όπως στον τελευταίο πίνακα με αυτές τις στήλες</translation>
+    </message>
+    <message>
+        <source>chosen by you</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>επιλεγμένο από εσάς</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a field of your own</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>κανένα πεδίο με αυτό το όνομα· διατηρείται ως δικό σας πεδίο</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Στήλες του πίνακα</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>στήλη</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>πεδίο</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>μονάδα</translation>
+    </message>
+    <message>
+        <source>first values</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>πρώτες τιμές</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>γιατί</translation>
+    </message>
+    <message>
+        <source>Field of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πεδίο της στήλης %1</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>παράλειψη</translation>
+    </message>
+    <message>
+        <source>own field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>δικό σας πεδίο: %1</translation>
+    </message>
+    <message>
+        <source>Unit of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μονάδα της στήλης %1</translation>
     </message>
 </context>
 </TS>

@@ -76,18 +76,18 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%1; %n to be photographed again</source>
-      <translation>
-        <numerusform>%1; %n to be photographed again</numerusform>
-        <numerusform>%1; %n to be photographed again</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%1; %n photographed again since</source>
       <translation>
         <numerusform>%1; %n photographed again since</numerusform>
         <numerusform>%1; %n photographed again since</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n to reshoot</source>
+        <translation>
+            <numerusform>%1; %n to reshoot</numerusform>
+            <numerusform>%1; %n to reshoot</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -105,6 +105,13 @@
         <numerusform>Change %n sherd</numerusform>
         <numerusform>Change %n sherds</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) ask for a confirmation.</source>
+        <translation>
+            <numerusform>%n value asks for a confirmation.</numerusform>
+            <numerusform>%n values ask for a confirmation.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -259,6 +266,20 @@
         <numerusform>Enter %n rows</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+        <source>Columns (%n to check)</source>
+        <translation>
+            <numerusform>Columns (%n to check)</numerusform>
+            <numerusform>Columns (%n to check)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Confirm %n row(s)</source>
+        <translation>
+            <numerusform>Confirm %n row</numerusform>
+            <numerusform>Confirm %n rows</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -268,6 +289,13 @@
         <numerusform>Stopped: %n row are not entered. Import the table again for the rest.</numerusform>
         <numerusform>Stopped: %n rows are not entered. Import the table again for the rest.</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) ask for a confirmation.</source>
+        <translation>
+            <numerusform>%n row asks for a confirmation.</numerusform>
+            <numerusform>%n rows ask for a confirmation.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -335,16 +363,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::MaskPage</name>
-    <message numerus="yes">
-      <source>%n photograph(s) mended; what follows from them is computed again.</source>
-      <translation>
-        <numerusform>%n photograph mended; what follows from it is computed again.</numerusform>
-        <numerusform>%n photographs mended; what follows from them is computed again.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message numerus="yes">
       <source>and in %n more context(s)</source>
@@ -364,24 +382,10 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translation>
-        <numerusform>%n sherd</numerusform>
-        <numerusform>%n sherds</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
       <translation>
         <numerusform>%n sherd leaves its bag, which stays in the old context: %1.</numerusform>
         <numerusform>%n sherds leave their bags, which stay in the old context: %1.</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) keep a number of the old context: %1.</source>
-      <translation>
-        <numerusform>%n sherd keeps a number of the old context: %1.</numerusform>
-        <numerusform>%n sherds keep numbers of the old context: %1.</numerusform>
       </translation>
     </message>
 </context>
@@ -393,6 +397,26 @@
         <numerusform>%n file of this project is missing or was changed: %1. Put it back from a copy; &apos;ostraka catalogue check&apos; lists it.</numerusform>
         <numerusform>%n files of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</numerusform>
       </translation>
+    </message>
+</context>
+<context>
+    <name>PlaceText</name>
+    <message numerus="yes">
+        <source>%n sherd(s) counted</source>
+        <translation>
+            <numerusform>%n sherd counted</numerusform>
+            <numerusform>%n sherds counted</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MaskPage</name>
+    <message numerus="yes">
+        <source>%n photograph(s) edited. Reprocess to update what follows from them.</source>
+        <translation>
+            <numerusform>%n photograph edited. Reprocess to update what follows from it.</numerusform>
+            <numerusform>%n photographs edited. Reprocess to update what follows from them.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

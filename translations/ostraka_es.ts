@@ -311,6 +311,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bolsa %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sherd(s) counted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n fragmento contado</numerusform>
+            <numerusform>%n fragmentos contados</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -508,19 +516,9 @@
       <translation>No se pudo terminar la impresión o el archivo; ¿está lleno el disco?</translation>
     </message>
     <message>
-      <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 y %2 encajan ambos con %3: sus bordes solo difieren en %4.</translation>
-    </message>
-    <message>
       <source>%1 and %2 both fit %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 y %2 encajan ambos con %3.</translation>
-    </message>
-    <message>
-      <source>%1 would fit %2 nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 encajaría casi igual de bien con %2.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
@@ -531,16 +529,6 @@
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Su reverso se dio a otro anverso: ¿es %1 el correcto ahora?</translation>
-    </message>
-    <message>
-      <source>%1 fits hardly better than a stranger's back.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 encaja apenas mejor que el reverso de un fragmento ajeno.</translation>
-    </message>
-    <message>
-      <source>The two sides fit nearly as well in another position.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los dos lados encajan casi igual de bien en otra posición.</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -593,31 +581,6 @@
       <translation>Los bordes no se pueden comparar; solo los contornos unen estos lados.</translation>
     </message>
     <message>
-      <source>look</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>mirar</translation>
-    </message>
-    <message>
-      <source>no back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sin reverso</translation>
-    </message>
-    <message>
-      <source>sure</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>seguro</translation>
-    </message>
-    <message>
-      <source>decided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>decidido</translation>
-    </message>
-    <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>apartado</translation>
-    </message>
-    <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fotografiar otra vez</translation>
@@ -633,11 +596,6 @@
       <translation>No se encontró reverso. Elija uno, o aparte el fragmento.</translation>
     </message>
     <message>
-      <source>The program is sure: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El programa está seguro: %1.</translation>
-    </message>
-    <message>
       <source>Decided by %1 on %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Decidido por %1 el %2.</translation>
@@ -648,34 +606,14 @@
       <translation>Apartado por %1 el %2.</translation>
     </message>
     <message>
-      <source>To be shot again, says %1, %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotografiar otra vez, dice %1, %2.</translation>
-    </message>
-    <message>
       <source>bag %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bolsa %1</translation>
     </message>
     <message>
-      <source>no front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sin anverso</translation>
-    </message>
-    <message>
       <source>This back is set aside. Drag it onto a front to use it after all.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este reverso está apartado. Arrástrelo sobre un anverso para usarlo después de todo.</translation>
-    </message>
-    <message>
-      <source>This back is to be shot again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este reverso se fotografiará otra vez.</translation>
-    </message>
-    <message>
-      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún anverso tiene este reverso. Arrástrelo a su anverso, únalo a otro, o apártelo.</translation>
     </message>
     <message>
       <source>%1 ?</source>
@@ -699,14 +637,6 @@
       <source>in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>dudosa</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fragmento</numerusform>
-        <numerusform>%n fragmentos</numerusform>
-      </translation>
     </message>
     <message>
       <source>Its back %1 was given to %2: is %3 the right one now?</source>
@@ -804,26 +734,6 @@
       <translation>El programa dice %1, %2.</translation>
     </message>
     <message>
-      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unido con %1 por %2; será una sola pieza cuando se calcule la tanda.</translation>
-    </message>
-    <message>
-      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cortado en dos por %1; sus piezas llegan cuando se calcule la tanda.</translation>
-    </message>
-    <message>
-      <source>joined</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>unido</translation>
-    </message>
-    <message>
-      <source>cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cortado</translation>
-    </message>
-    <message>
       <source>Sure by what was decided for others: %1; by itself %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seguro por lo decidido para otros: %1; por sí solo %2.</translation>
@@ -861,13 +771,130 @@
             <numerusform>%n fragmentos dejan sus bolsas, que se quedan en el contexto antiguo: %1.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) keep a number of the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n fragmento conserva un número del contexto antiguo: %1.</numerusform>
-            <numerusform>%n fragmentos conservan números del contexto antiguo: %1.</numerusform>
-        </translation>
+    <message>
+        <source>front %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>cara %1</translation>
+    </message>
+    <message>
+        <source>back %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>reverso %1</translation>
+    </message>
+    <message>
+        <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unido con %1 por %2. Será un solo fragmento cuando se reprocese el lote.</translation>
+    </message>
+    <message>
+        <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dividido por %1. Sus fragmentos aparecen al reprocesar el lote.</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unido</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dividido</translation>
+    </message>
+    <message>
+        <source>No front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sin cara</translation>
+    </message>
+    <message>
+        <source>This back is to be reshot.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Este reverso debe volver a fotografiarse.</translation>
+    </message>
+    <message>
+        <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ninguna cara tiene este reverso. Arrástrelo a su cara, únalo con otro o apártelo.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 y %2 encajan con %3: sus fracturas difieren solo en %4.</translation>
+    </message>
+    <message>
+        <source>%1 would fit %2 almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 encajaría casi igual de bien con %2.</translation>
+    </message>
+    <message>
+        <source>%1 fits barely better than an unrelated back.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 encaja apenas mejor que un reverso ajeno.</translation>
+    </message>
+    <message>
+        <source>Ambiguous: a second position fits almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ambiguo: una segunda posición encaja casi igual de bien.</translation>
+    </message>
+    <message>
+        <source>%1 confident</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Confianza: %1</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Revisar</translation>
+    </message>
+    <message>
+        <source>No back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sin reverso</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Seguro</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Decidido</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Apartado</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Repetir fotos</translation>
+    </message>
+    <message>
+        <source>To be reshot, decided by %1 on %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Para repetir, decidido por %1 el %2.</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sustituir por el valor medido</translation>
+    </message>
+    <message>
+        <source>Delete computed value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Borrar el valor calculado</translation>
+    </message>
+    <message>
+        <source>Save this value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Guardar este valor</translation>
+    </message>
+    <message>
+        <source>%1 (computed %2)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 (calculado %2)</translation>
     </message>
 </context>
 <context>
@@ -900,16 +927,6 @@
         <numerusform>%n fragmento, seguro</numerusform>
         <numerusform>%n fragmentos, todos seguros</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>a draft: look, then compute it again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>un borrador: mírelo y vuelva a calcularlo</translation>
-    </message>
-    <message>
-      <source>the scale is not right: see the report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>la escala no es correcta: vea el informe</translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
@@ -972,46 +989,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2, %3 %</translation>
     </message>
-    <message>
-      <source>being photographed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>se está fotografiando</translation>
-    </message>
-    <message>
-      <source>waits for its turn</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>espera su turno</translation>
-    </message>
-    <message>
-      <source>is being computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>se está calculando</translation>
-    </message>
-    <message>
-      <source>paused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>en pausa</translation>
-    </message>
-    <message>
-      <source>stopped</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>detenida</translation>
-    </message>
-    <message>
-      <source>wants your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>requiere su atención</translation>
-    </message>
-    <message>
-      <source>done</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>terminada</translation>
-    </message>
-    <message>
-      <source>decided; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>decidida; falta calcular</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1020,21 +997,6 @@
         <numerusform>%n fragmentos</numerusform>
       </translation>
     </message>
-    <message>
-      <source>sure %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>seguros %1</translation>
-    </message>
-    <message>
-      <source>decided %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>decididos %1</translation>
-    </message>
-    <message>
-      <source>ask %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>dudosos %1</translation>
-    </message>
     <message numerus="yes">
       <source>%1; but %n counted on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1042,11 +1004,6 @@
         <numerusform>%1; pero %n contado en el plato</numerusform>
         <numerusform>%1; pero %n contados en el plato</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>draft, to be computed again; %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>borrador, por calcular de nuevo; %1</translation>
     </message>
     <message>
       <source>%1 waits for the draft of %2.</source>
@@ -1064,11 +1021,6 @@
       <translation>En esta tanda se hallaron de nuevo las cámaras; calibre otra vez el equipo (C).</translation>
     </message>
     <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>apartado</translation>
-    </message>
-    <message>
       <source>It did not come to its end; compute it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No llegó a su fin; calcúlelo de nuevo.</translation>
@@ -1077,19 +1029,6 @@
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo ha apartado. Sus fotografías se conservan; R lo retoma.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%1; %n to be photographed again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1; %n por fotografiar de nuevo</numerusform>
-        <numerusform>%1; %n por fotografiar de nuevo</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>masks were mended; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>máscaras corregidas; por calcular</translation>
     </message>
     <message>
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
@@ -1107,6 +1046,94 @@
       <translation>
             <numerusform>%1; %n fotografiado de nuevo desde entonces</numerusform>
             <numerusform>%1; %n fotografiados de nuevo desde entonces</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Apartado</translation>
+    </message>
+    <message>
+        <source>Capturing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturando</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>En cola</translation>
+    </message>
+    <message>
+        <source>Processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Procesando</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Detenido</translation>
+    </message>
+    <message>
+        <source>Needs review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Por revisar</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Draft: review it, then reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Borrador: revíselo y luego reprocéselo</translation>
+    </message>
+    <message>
+        <source>Masks edited: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Máscaras editadas: reprocesar</translation>
+    </message>
+    <message>
+        <source>Scale in doubt: see the report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Escala dudosa: vea el informe</translation>
+    </message>
+    <message>
+        <source>Decided: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Decidido: reprocesar</translation>
+    </message>
+    <message>
+        <source>%1 sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 seguros</translation>
+    </message>
+    <message>
+        <source>%1 decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 decididos</translation>
+    </message>
+    <message>
+        <source>%1 to review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 por revisar</translation>
+    </message>
+    <message>
+        <source>draft, to be reprocessed; %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>borrador, por reprocesar; %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n to reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%1; %n por repetir</numerusform>
+            <numerusform>%1; %n por repetir</numerusform>
         </translation>
     </message>
 </context>
@@ -1159,11 +1186,6 @@
       <source>Change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cambiar</translation>
-    </message>
-    <message>
-      <source>Give numbers to the drafts</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numerar los borradores</translation>
     </message>
     <message>
       <source>Field</source>
@@ -1226,6 +1248,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detener y deshacer</translation>
     </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Asignar números</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sustituir por el valor medido</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n valor debe confirmarse.</numerusform>
+            <numerusform>%n valores deben confirmarse.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -1233,16 +1273,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro reverso …</translation>
-    </message>
-    <message>
-      <source>rim %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>borde %1</translation>
-    </message>
-    <message>
-      <source>no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sin borde</translation>
     </message>
     <message>
       <source>%1, with %2</source>
@@ -1266,6 +1296,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, libre</translation>
     </message>
+    <message>
+        <source>gap %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>separación %1</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sin contacto</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1278,16 +1318,6 @@
       <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escrito, con un lector de códigos, o con la etiqueta de la bolsa bajo la cámara</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Más</translation>
-    </message>
-    <message>
-      <source>Import, another rig, set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importar, otro equipo, apartar</translation>
     </message>
 </context>
 <context>
@@ -1309,16 +1339,6 @@
         <numerusform>%1: %n archivo importado; está en la cola.</numerusform>
         <numerusform>%1: %n archivos importados; está en la cola.</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>De acuerdo</translation>
-    </message>
-    <message>
-      <source>The next thing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo siguiente</translation>
     </message>
     <message>
       <source>Stop the table</source>
@@ -1460,6 +1480,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Son correctos</translation>
     </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El equipo anterior sigue en uso.</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Siguiente paso</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1515,11 +1550,6 @@
       <source>No rig yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todavía no hay equipo</translation>
-    </message>
-    <message>
-      <source>The rig is being opened</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se está abriendo el equipo</translation>
     </message>
     <message>
       <source>Lay the sherds on the plate</source>
@@ -1612,11 +1642,6 @@
       <translation>Está bien: a la cola</translation>
     </message>
     <message>
-      <source>Stop %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parada %1 de %2</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un momento</translation>
@@ -1691,11 +1716,6 @@
       <translation>El %1 % de los fragmentos está demasiado claro</translation>
     </message>
     <message>
-      <source>Light is right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La luz está bien</translation>
-    </message>
-    <message>
       <source>Read from the label: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Leído de la etiqueta: %1</translation>
@@ -1749,16 +1769,6 @@
       <translation>Sus fragmentos están en la revisión (Ctrl+3): mire mientras aún están aquí</translation>
     </message>
     <message>
-      <source>The table stands still. What is safe is not photographed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa está parada. Lo que está a salvo no se fotografía otra vez.</translation>
-    </message>
-    <message>
-      <source>Go on at stop %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seguir en la parada %1</translation>
-    </message>
-    <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se interrumpió en mitad de esta cara.</translation>
@@ -1787,6 +1797,61 @@
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1 fragmentos, las fotos muestran %2: mire si alguno está en partes o si hay algo que no es un fragmento, o corrija el número.</translation>
+    </message>
+    <message>
+        <source>The rig does not open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El equipo no se abre</translation>
+    </message>
+    <message>
+        <source>Taking calibration photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tomando fotos de calibración</translation>
+    </message>
+    <message>
+        <source>The virtual rig turns the sherds over</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El equipo virtual da la vuelta a los fragmentos</translation>
+    </message>
+    <message>
+        <source>The table stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El plato está parado. Las fotos guardadas se conservan.</translation>
+    </message>
+    <message>
+        <source>Nothing to do by hand: shoot the backs.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Nada que hacer a mano: fotografíe los reversos.</translation>
+    </message>
+    <message>
+        <source>Resume at position %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reanudar en la posición %1</translation>
+    </message>
+    <message>
+        <source>Shoot the backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotografiar los reversos</translation>
+    </message>
+    <message>
+        <source>Calibration photograph %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Foto de calibración %1 de %2</translation>
+    </message>
+    <message>
+        <source>Position %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Posición %1 de %2</translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Abriendo el equipo</translation>
+    </message>
+    <message>
+        <source>Lighting OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Iluminación correcta</translation>
     </message>
 </context>
 <context>
@@ -1833,21 +1898,6 @@
       <source>Edit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Editar</translation>
-    </message>
-    <message>
-      <source>Give numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numerar</translation>
-    </message>
-    <message>
-      <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todavía no hay fragmentos. Llegan solos cuando se calcula una tanda; empiece por la captura.</translation>
-    </message>
-    <message>
-      <source>No sherd fits. Take a condition away.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún fragmento cumple. Quite una condición.</translation>
     </message>
     <message>
       <source>change %1</source>
@@ -1923,6 +1973,61 @@
       <source>Choose the sherds that are to get numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elija los fragmentos que deben recibir número.</translation>
+    </message>
+    <message>
+        <source>No sherds yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aún no hay fragmentos</translation>
+    </message>
+    <message>
+        <source>Sherds appear here when a batch is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Los fragmentos aparecen aquí cuando se procesa un lote.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturar un lote</translation>
+    </message>
+    <message>
+        <source>No sherds match this filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ningún fragmento cumple este filtro</translation>
+    </message>
+    <message>
+        <source>Remove a condition to see more.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Quite una condición para ver más.</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Borrar filtro</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Asignar números</translation>
+    </message>
+    <message>
+        <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un fragmento anulado no recibe etiqueta, dibujo ni lugar en un plato, y su número no se vuelve a dar. ¿Está anulado %1: «%2»?</translation>
+    </message>
+    <message>
+        <source>no number yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>aún sin número</translation>
+    </message>
+    <message>
+        <source>Yes, it is void</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sí, está anulado</translation>
     </message>
 </context>
 <context>
@@ -2230,11 +2335,6 @@
       <translation>Todos los fragmentos</translation>
     </message>
     <message>
-      <source>Those that fit this filter:</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los que cumplen este filtro:</translation>
-    </message>
-    <message>
       <source>Filter of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Filtro de lo que se exporta</translation>
@@ -2245,19 +2345,9 @@
       <translation>contexto:0012</translation>
     </message>
     <message>
-      <source>Forms</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Formas</translation>
-    </message>
-    <message>
       <source>Tables (CSV), for spreadsheets</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablas (CSV), para hojas de cálculo</translation>
-    </message>
-    <message>
-      <source>Records (JSON), to be read back whole</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fichas (JSON), que se pueden volver a leer enteras</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2305,11 +2395,6 @@
       <translation>Avance de la exportación</translation>
     </message>
     <message>
-      <source>Stop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detener</translation>
-    </message>
-    <message>
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abrir la carpeta</translation>
@@ -2318,11 +2403,6 @@
       <source>Where shall the folder be?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>¿Dónde estará la carpeta?</translation>
-    </message>
-    <message>
-      <source>Those chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los elegidos en el catálogo</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2378,11 +2458,6 @@
       <translation>De PLY, GLB y OBJ: con menos triángulos los archivos son mucho menores. Su desviación se mide y consta en cada uno.</translation>
     </message>
     <message>
-      <source>as computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>como se calcularon</translation>
-    </message>
-    <message>
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>más ligeros, hasta %1 mm</translation>
@@ -2401,6 +2476,36 @@
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La exportación no ha terminado y no quedaría nada de ella. Cierre otra vez para detenerla.</translation>
+    </message>
+    <message>
+        <source>Matching the filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Según el filtro</translation>
+    </message>
+    <message>
+        <source>Formats</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Formatos</translation>
+    </message>
+    <message>
+        <source>Records (JSON), re-importable</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Registros (JSON), reimportables</translation>
+    </message>
+    <message>
+        <source>Full detail</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Detalle completo</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Selected sherds</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fragmentos seleccionados</translation>
     </message>
 </context>
 <context>
@@ -2452,9 +2557,9 @@
       <translation>Avance del cálculo</translation>
     </message>
     <message>
-      <source>Nothing to compute</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nada que calcular</translation>
+        <source>Idle</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Inactivo</translation>
     </message>
 </context>
 <context>
@@ -2649,11 +2754,6 @@
       <translation>por qué no</translation>
     </message>
     <message>
-      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una tabla de fragmentos tiene una columna number o uuid; una de contextos tiene site, context y, si quiere, trench y bag.</translation>
-    </message>
-    <message>
       <source>Looking at it …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mirándola …</translation>
@@ -2691,6 +2791,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardar las otras versiones</translation>
     </message>
+    <message>
+        <source>to confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>por confirmar</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Columnas</translation>
+    </message>
+    <message numerus="yes">
+        <source>Columns (%n to check)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Columnas (%n por comprobar)</numerusform>
+            <numerusform>Columnas (%n por comprobar)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Una tabla de fragmentos tiene una columna con sus números; una de contextos, columnas de yacimiento y contexto. Los nombres pueden estar en cualquier idioma del programa.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Confirm %n row(s)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Confirmar %n fila</numerusform>
+            <numerusform>Confirmar %n filas</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2727,6 +2863,14 @@
         <numerusform>Detenido: %n filas no se han introducido. Importe la tabla otra vez para el resto.</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n fila debe confirmarse.</numerusform>
+            <numerusform>%n filas deben confirmarse.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2749,11 +2893,6 @@
       <translation>Ostraka</translation>
     </message>
     <message>
-      <source>%1 is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 está calculada.</translation>
-    </message>
-    <message>
       <source>%1 stopped: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se detuvo: %2</translation>
@@ -2762,11 +2901,6 @@
       <source>Undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deshacer</translation>
-    </message>
-    <message>
-      <source>Do again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rehacer</translation>
     </message>
     <message>
       <source>Manual</source>
@@ -2849,11 +2983,6 @@
       <translation>Deshacer: %1</translation>
     </message>
     <message>
-      <source>Do again: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rehacer: %1</translation>
-    </message>
-    <message>
       <source>Copy of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Copia del catálogo</translation>
@@ -2873,6 +3002,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este proyecto solo se puede leer: mire todo; los cambios se rechazan.</translation>
     </message>
+    <message>
+        <source>%1 is ready.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 está listo.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rehacer: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
@@ -2887,29 +3031,14 @@
       <translation>Imprimir plano y etiquetas</translation>
     </message>
     <message>
-      <source>Print map and labels   Ctrl+P</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imprimir plano y etiquetas   Ctrl+P</translation>
-    </message>
-    <message>
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fragmento %1</translation>
     </message>
     <message>
-      <source>No batch is computed yet; its map appears here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todavía no hay tanda calculada; su plano aparece aquí.</translation>
-    </message>
-    <message>
       <source>Map of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plano de %1</translation>
-    </message>
-    <message>
-      <source>%1-%2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -2977,6 +3106,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado: %1</translation>
     </message>
+    <message>
+        <source>No map yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aún no hay plano</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotografíe o importe un lote. Cuando se procese, su plano muestra dónde estaba cada fragmento.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturar un lote</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3009,14 +3153,14 @@
       <translation>Qué ha pasado</translation>
     </message>
     <message>
-      <source>Leave it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dejarlo</translation>
+        <source>Dismiss</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Descartar</translation>
     </message>
     <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>De acuerdo</translation>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aceptar</translation>
     </message>
 </context>
 <context>
@@ -3181,24 +3325,9 @@
       <translation>apartar %1</translation>
     </message>
     <message>
-      <source>shooting %1 again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fotografiar otra vez %1</translation>
-    </message>
-    <message>
       <source>One of the two has no back to be joined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Uno de los dos no tiene reverso que unir.</translation>
-    </message>
-    <message>
-      <source>joining %1 and %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>unir %1 y %2</translation>
-    </message>
-    <message>
-      <source>cutting %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cortar %1</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3264,6 +3393,21 @@
       <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado, con su nombre; pero los bordes de %1 y %2 apenas se encuentran: el %3.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>repetición de %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>unión de %1 y %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>división de %1</translation>
     </message>
 </context>
 <context>
@@ -3376,26 +3520,6 @@
       <translation>Pausa</translation>
     </message>
     <message>
-      <source>Compute again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calcular otra vez</translation>
-    </message>
-    <message>
-      <source>Stop this batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detener esta tanda</translation>
-    </message>
-    <message>
-      <source>Report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Informe</translation>
-    </message>
-    <message>
-      <source>Review it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Revisarla</translation>
-    </message>
-    <message>
       <source>Log</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Registro</translation>
@@ -3416,16 +3540,6 @@
       <translation>Todavía no hay tandas</translation>
     </message>
     <message>
-      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que fotografíe o importe se calcula aquí, una tanda tras otra, mientras usted sigue trabajando.</translation>
-    </message>
-    <message>
-      <source>Photograph the first batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotografiar la primera tanda</translation>
-    </message>
-    <message>
       <source>Queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cola</translation>
@@ -3439,39 +3553,9 @@
       </translation>
     </message>
     <message>
-      <source>Go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seguir</translation>
-    </message>
-    <message>
       <source>%1 has no report yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 aún no tiene informe.</translation>
-    </message>
-    <message>
-      <source>Stop %1?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>¿Detener %1?</translation>
-    </message>
-    <message>
-      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se calcula desde hace más de una hora. Las etapas enteras se conservan, la actual se pierde.</translation>
-    </message>
-    <message>
-      <source>Stop it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenerla</translation>
-    </message>
-    <message>
-      <source>Let it go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dejar que siga</translation>
-    </message>
-    <message>
-      <source>Mend the masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Corregir las máscaras</translation>
     </message>
     <message>
       <source>Drafts first</source>
@@ -3479,24 +3563,99 @@
       <translation>Primero borradores</translation>
     </message>
     <message>
-      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calcula cada tanda nueva deprisa y sin detalle, para verlo mientras los fragmentos siguen ahí; calculada de nuevo es definitiva (D)</translation>
-    </message>
-    <message>
-      <source>Calibrate the rig again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calibrar otra vez el equipo</translation>
-    </message>
-    <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cámara recibió un golpe: las fotos de esta tanda dicen dónde están ahora las cámaras (C)</translation>
     </message>
     <message>
-      <source>Set this batch aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Apartar esta tanda</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reprocesar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mostrar informe</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Revisar</translation>
+    </message>
+    <message>
+        <source>Edit masks</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Editar máscaras</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Procesa cada lote nuevo de forma rápida y tosca, para comprobarlo mientras los fragmentos siguen en el plato; reprocesarlo lo hace definitivo (D)</translation>
+    </message>
+    <message>
+        <source>Recalibrate rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Recalibrar equipo</translation>
+    </message>
+    <message>
+        <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Lo que fotografíe o importe se procesa aquí, un lote tras otro, mientras sigue trabajando.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturar un lote</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Lote</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reanudar</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Apartar</translation>
+    </message>
+    <message>
+        <source>Cancel %1?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>¿Cancelar %1?</translation>
+    </message>
+    <message>
+        <source>It has been processing for more than an hour. Finished stages are saved; the current one is lost.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Lleva más de una hora procesándose. Las etapas terminadas están guardadas; la actual se pierde.</translation>
+    </message>
+    <message>
+        <source>Cancel it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Cancelarlo</translation>
+    </message>
+    <message>
+        <source>Keep processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Seguir procesando</translation>
     </message>
 </context>
 <context>
@@ -3523,11 +3682,6 @@
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parejas, las más dudosas primero</translation>
-    </message>
-    <message>
-      <source>This one</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta</translation>
     </message>
     <message>
       <source>Next pair</source>
@@ -3570,11 +3724,6 @@
       <translation>Espejo</translation>
     </message>
     <message>
-      <source>Apart</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Separar</translation>
-    </message>
-    <message>
       <source>Section</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sección</translation>
@@ -3585,59 +3734,14 @@
       <translation>Medir</translation>
     </message>
     <message>
-      <source>Rim gap</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hueco del borde</translation>
-    </message>
-    <message>
       <source>Model</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelo</translation>
     </message>
     <message>
-      <source>Settle</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajustar</translation>
-    </message>
-    <message>
-      <source>Let the rims settle the position (B)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dejar que los bordes ajusten la posición (B)</translation>
-    </message>
-    <message>
       <source>Set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Apartar</translation>
-    </message>
-    <message>
-      <source>Shoot again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repetir foto</translation>
-    </message>
-    <message>
-      <source>Cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cortar</translation>
-    </message>
-    <message>
-      <source>Join</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unir</translation>
-    </message>
-    <message>
-      <source>%1 %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>%1, key %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, tecla %2</translation>
-    </message>
-    <message>
-      <source>This one   Enter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta   Intro</translation>
     </message>
     <message>
       <source>The rims are compared … Esc stops.</source>
@@ -3655,26 +3759,6 @@
       <translation>Parejas de la tanda</translation>
     </message>
     <message>
-      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unir dos piezas de un fragmento: elija después la otra ficha (J anversos, Mayús+J reversos)</translation>
-    </message>
-    <message>
-      <source>Join backs</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unir reversos</translation>
-    </message>
-    <message>
-      <source>Settle, join and cut nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No asentar, unir ni cortar nada</translation>
-    </message>
-    <message>
-      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cortar una pieza que en realidad son dos fragmentos, por una línea sobre su imagen (K)</translation>
-    </message>
-    <message>
       <source>The rims settle: %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los bordes se asientan: %1. Esc detiene.</translation>
@@ -3683,6 +3767,86 @@
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Haga clic en un extremo de la longitud sobre el fragmento y luego en el otro. D termina.</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Leave merging and splitting</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Salir de unir y dividir</translation>
+    </message>
+    <message>
+        <source>Refine fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Afinar ajuste</translation>
+    </message>
+    <message>
+        <source>Refine the position by the fracture surfaces (B)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Afinar la posición por las fracturas (B)</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Repetir fotos</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Decide</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Decidir</translation>
+    </message>
+    <message>
+        <source>Explode</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Separar</translation>
+    </message>
+    <message>
+        <source>Fracture gap</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Separación de fractura</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dividir</translation>
+    </message>
+    <message>
+        <source>Split a scan of two sherds along a line over its photograph (K)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dividir un escaneo de dos fragmentos por una línea sobre su foto (K)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unir</translation>
+    </message>
+    <message>
+        <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unir dos partes de un fragmento: elija luego la otra tarjeta (J caras, Mayús+J reversos)</translation>
+    </message>
+    <message>
+        <source>Merge backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unir reversos</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Intro</translation>
     </message>
 </context>
 <context>
@@ -3701,21 +3865,6 @@
       <source>Your initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sus iniciales</translation>
-    </message>
-    <message>
-      <source>Compute what changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calcular lo que cambió</translation>
-    </message>
-    <message>
-      <source>Makes the models of the pairs that were decided anew</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hace los modelos de las parejas decididas de nuevo</translation>
-    </message>
-    <message>
-      <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todavía no hay tanda calculada. Fotografíe o importe una; sus parejas aparecen aquí.</translation>
     </message>
     <message>
       <source>Opening %1</source>
@@ -3761,11 +3910,6 @@
       <translation>Revisión</translation>
     </message>
     <message>
-      <source>Where its report is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>A su informe</translation>
-    </message>
-    <message>
       <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ninguna de las medidas de %1 es segura. %2</translation>
@@ -3786,11 +3930,6 @@
       <translation>Guardado. Cuando se calcule, el fragmento unido conserva el número %1 y %2 queda sin pieza. Deshacer los separa de nuevo.</translation>
     </message>
     <message>
-      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se fotografió otra vez como %2 en %3 y ahora tiene una ficha de más: anúlela en el catálogo o aparte aquí la pieza.</translation>
-    </message>
-    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
@@ -3799,6 +3938,41 @@
       <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado. Al calcular, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
+    </message>
+    <message>
+        <source>Update changed models</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Actualizar modelos cambiados</translation>
+    </message>
+    <message>
+        <source>Reprocesses the pairs that were decided differently</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reprocesa los pares decididos de otro modo</translation>
+    </message>
+    <message>
+        <source>No pairs to review yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aún no hay pares que revisar</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotografíe o importe un lote. Sus pares aparecen aquí cuando se procese.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturar un lote</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mostrar informe</translation>
+    </message>
+    <message>
+        <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 se volvió a fotografiar como %2 en %3 y ahora tiene dos registros. Anule uno en el catálogo o aparte aquí el fragmento.</translation>
     </message>
 </context>
 <context>
@@ -3888,6 +4062,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Espacio</translation>
     </message>
+    <message>
+        <source>Keep current rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mantener el equipo actual</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
@@ -3925,11 +4104,6 @@
 <context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
-      <source>As the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Como el escritorio</translation>
-    </message>
-    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Claro</translation>
@@ -3960,11 +4134,6 @@
       <translation>Sus &amp;iniciales</translation>
     </message>
     <message>
-      <source>They stand in the history of each decision.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Constan en el historial de cada decisión.</translation>
-    </message>
-    <message>
       <source>&amp;Theme</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Tema</translation>
@@ -3985,11 +4154,6 @@
       <translation>I&amp;dioma</translation>
     </message>
     <message>
-      <source>Holds from the next start.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vale desde el próximo inicio.</translation>
-    </message>
-    <message>
       <source>&amp;Processors for computing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Procesadores para el cálculo</translation>
@@ -4000,9 +4164,24 @@
       <translation>%1 %</translation>
     </message>
     <message>
-      <source>Back to work (Esc)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Volver al trabajo (Esc)</translation>
+        <source>Follow system</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Según el sistema</translation>
+    </message>
+    <message>
+        <source>Recorded with each decision.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Se anotan con cada decisión.</translation>
+    </message>
+    <message>
+        <source>Takes effect after restart.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Se aplica al reiniciar.</translation>
+    </message>
+    <message>
+        <source>Back to project (Esc)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Volver al proyecto (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4181,19 +4360,19 @@
       <translation>Aún no guardado: %1. Intro en el campo lo guarda.</translation>
     </message>
     <message>
-      <source>Yes, it is void</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sí, está anulado</translation>
-    </message>
-    <message>
-      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fragmento anulado no recibe etiqueta, dibujo ni sitio en una lámina, y su número no se vuelve a dar. ¿Está anulado %1: «%2»?</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 es el número correlativo en el contexto del fragmento; =7 es el propio número 7.</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Confirmar</translation>
+    </message>
+    <message>
+        <source>computed; replaced by the measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>calculado; sustituido por el valor medido</translation>
     </message>
 </context>
 <context>
@@ -4267,6 +4446,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la escala del lote %2 es dudosa; su informe dice por qué y qué hacer.</translation>
     </message>
+    <message>
+        <source>%1: measured by hand; the computed value is kept beside it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: medido a mano; el valor calculado se conserva al lado.</translation>
+    </message>
+    <message>
+        <source>%1: %2, measured by hand</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: %2, medido a mano</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
@@ -4299,11 +4488,6 @@
       <translation>&amp;Proyectos</translation>
     </message>
     <message>
-      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todavía no hay proyecto. Haga uno, o pruébelo todo con el equipo virtual: rompe una vasija y fotografía sus fragmentos.</translation>
-    </message>
-    <message>
       <source>&amp;Open a project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Abrir un proyecto…</translation>
@@ -4334,11 +4518,6 @@
       <translation>Elegir la carpeta</translation>
     </message>
     <message>
-      <source>Make the project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Crear el proyecto</translation>
-    </message>
-    <message>
       <source>&amp;Name</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Nombre</translation>
@@ -4364,21 +4543,11 @@
       <translation>N&amp;umeración</translation>
     </message>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fragmento será</translation>
-    </message>
-    <message>
       <source>%1
 %2, %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2, %3</translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>De acuerdo</translation>
     </message>
     <message>
       <source>Folder of the new project</source>
@@ -4417,6 +4586,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayuda</translation>
     </message>
+    <message>
+        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aún no hay proyecto. Cree uno o pruebe todo con el equipo virtual: rompe una vasija y fotografía sus fragmentos.</translation>
+    </message>
+    <message>
+        <source>Create project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Crear proyecto</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ejemplo</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aceptar</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4447,34 +4636,44 @@
       <translation>%1 mm</translation>
     </message>
     <message>
-      <source>front: blue rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>anverso: borde azul</translation>
+        <source>Front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Anverso</translation>
     </message>
     <message>
-      <source>back: red rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>reverso: borde rojo</translation>
+        <source>Back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reverso</translation>
     </message>
     <message>
-      <source>%1 mm and more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 mm y más</translation>
+        <source>No scale: lengths are not known</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sin escala: no se conocen las longitudes</translation>
     </message>
     <message>
-      <source>0 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>0 mm</translation>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sin contacto</translation>
     </message>
     <message>
-      <source>gap between the sides along the rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>hueco entre los lados a lo largo del borde</translation>
+        <source>filled in, not seen by a camera</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>rellenado, no visto por ninguna cámara</translation>
     </message>
     <message>
-      <source>grey: not met by the other side</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>gris: la otra cara no llega aquí</translation>
+        <source>Distance between the sides along the fracture</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Distancia entre las caras a lo largo de la fractura</translation>
+    </message>
+    <message>
+        <source>front outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>anverso por fuera %1</translation>
+    </message>
+    <message>
+        <source>back outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>reverso por fuera %1</translation>
     </message>
 </context>
 <context>
@@ -4540,14 +4739,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Máscaras de %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n photograph(s) mended; what follows from them is computed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fotografía corregida; lo que sigue de ella se calcula de nuevo.</numerusform>
-        <numerusform>%n fotografías corregidas; lo que sigue de ellas se calcula de nuevo.</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4557,11 +4748,6 @@
       <source>Brush's &amp;width</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Ancho del pincel</translation>
-    </message>
-    <message>
-      <source>Compute with these</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calcular con estas</translation>
     </message>
     <message>
       <source>Larger</source>
@@ -4584,11 +4770,6 @@
       <translation>Fotografía</translation>
     </message>
     <message>
-      <source>Photograph before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotografía anterior</translation>
-    </message>
-    <message>
       <source>Plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plato</translation>
@@ -4599,14 +4780,37 @@
       <translation>Fragmento</translation>
     </message>
     <message>
-      <source>The photograph is being read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se está leyendo la fotografía.</translation>
+        <source>Previous photograph</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Foto anterior</translation>
     </message>
     <message>
-      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo velado en azul se toma por fragmento. Pinte lo que falta o, como plato, lo que sobra; las máscaras del programa se conservan.</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reprocesar</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pincel</translation>
+    </message>
+    <message>
+        <source>Loading photograph…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Cargando la foto…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) edited. Reprocess to update what follows from them.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n foto editada. Reprocese para actualizar lo que sigue.</numerusform>
+            <numerusform>%n fotos editadas. Reprocese para actualizar lo que sigue.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Azul: clasificado como fragmento. Pinte lo que falta como fragmento y lo erróneo como plato; las máscaras del programa quedan.</translation>
     </message>
 </context>
 <context>
@@ -6070,11 +6274,6 @@
       <translation>Fragmentos con el término «%1»: %2; cámbielos primero.</translation>
     </message>
     <message>
-      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El catálogo está dañado (%1); recupere el archivo más reciente de la carpeta backups.</translation>
-    </message>
-    <message>
       <source>a row of %1 points at nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>una fila de %1 no apunta a nada</translation>
@@ -6095,11 +6294,6 @@
       <translation>La copia de seguridad no contiene lo que se guardó; inténtelo otra vez.</translation>
     </message>
     <message>
-      <source>The backup cannot be given its name; check the folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede dar su nombre a la copia de seguridad; revise la carpeta.</translation>
-    </message>
-    <message>
       <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El catálogo no se puede abrir; compruebe que la carpeta existe y que se puede escribir en ella.</translation>
@@ -6113,11 +6307,6 @@
       <source>The disk does not answer properly; check it, then open the project again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco no responde bien; revíselo y vuelva a abrir el proyecto.</translation>
-    </message>
-    <message>
-      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El catálogo está dañado; recupere el archivo más reciente de la carpeta backups.</translation>
     </message>
     <message>
       <source>The catalogue does not take this (%1).</source>
@@ -7090,11 +7279,6 @@
       <translation>La columna '%1' está dos veces.</translation>
     </message>
     <message>
-      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La tabla necesita una columna 'number' (fragmentos) o las columnas 'site' y 'context' (contextos).</translation>
-    </message>
-    <message>
       <source>These places and batches are not written as Ostraka writes them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estos lugares y tandas no están escritos como los escribe Ostraka.</translation>
@@ -7733,11 +7917,6 @@
       <source>Look at the masks, and at whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mire las máscaras, y si había fragmentos en el plato.</translation>
-    </message>
-    <message>
-      <source>The folder cannot be made (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede crear la carpeta (%1).</translation>
     </message>
     <message>
       <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
@@ -8440,11 +8619,6 @@
       <translation>El equipo necesita una cámara y al menos cuatro paradas; calíbrelo otra vez.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one for the batch.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta ya contiene archivos; nombre una nueva o vacía para la tanda.</translation>
-    </message>
-    <message>
       <source>The virtual camera has no setting %1 of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara virtual no tiene un ajuste %1 de %2.</translation>
@@ -8463,11 +8637,6 @@
       <source>This model is gone; compute its batch again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo ya no está; calcule de nuevo su tanda.</translation>
-    </message>
-    <message>
-      <source>The model cannot be kept here (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El modelo no puede guardarse aquí (%1).</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8689,6 +8858,131 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo histórico contiene un diario de su catálogo, cosa que ninguno de Ostraka contiene; no se ha escrito nada.</translation>
     </message>
+    <message>
+      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta de salida ya no está: se movió o se borró mientras el programa escribía en ella. Las fotografías están intactas; inicie de nuevo la misma orden.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta ya contiene archivos; indique una nueva o vacía.</translation>
+    </message>
+    <message>
+      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta es un disco propio, o aquella en la que usted está; indique una carpeta nueva dentro de ella.</translation>
+    </message>
+    <message>
+      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta se necesita para archivos sin terminar, pero contiene otros; muévala a otro lugar.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se dejó fuera del anverso un trozo del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se dejó fuera del reverso un trozo del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
+    </message>
+    <message>
+      <source>If it is one, photograph it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Si lo es, fotografíelo solo.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El catálogo está dañado (%1); no se cambió nada ni se borró ninguna copia de seguridad. Restáurelo con «ostraka catalogue repair PROJECT».</translation>
+    </message>
+    <message>
+        <source>a page was changed</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>se modificó una página</translation>
+    </message>
+    <message>
+        <source>its pages do not fit together</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sus páginas no concuerdan</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>the file is not a database</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>el archivo no es una base de datos</translation>
+    </message>
+    <message>
+        <source>the file belongs to another program</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>el archivo pertenece a otro programa</translation>
+    </message>
+    <message>
+        <source>the file holds no catalogue</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>el archivo no contiene ningún catálogo</translation>
+    </message>
+    <message>
+        <source>the header contradicts itself</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>la cabecera se contradice</translation>
+    </message>
+    <message>
+        <source>it holds no project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>no contiene ningún proyecto</translation>
+    </message>
+    <message>
+        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>No se puede leer el catálogo; compruebe que está ahí y sus permisos.</translation>
+    </message>
+    <message>
+        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Este proyecto solo se puede leer y no hay espacio para una copia de lectura; libere espacio en la carpeta de archivos temporales.</translation>
+    </message>
+    <message>
+        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Este proyecto es de un Ostraka anterior y aquí solo se puede leer; cópielo en una carpeta en la que pueda escribir y ábralo allí.</translation>
+    </message>
+    <message>
+        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>No se puede escribir la copia del catálogo dañado; libere espacio en este disco y repárelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>No se puede escribir el catálogo reparado; libere espacio en este disco y repárelo de nuevo. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El catálogo está dañado y ninguna de sus copias de seguridad está íntegra; copie una en la carpeta backups, desde un archivo o desde otro disco, y repárelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Another program has this project open; close it there, then repair it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Otro programa tiene abierto este proyecto; ciérrelo allí y repárelo después.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>La tabla necesita una columna con los números de los fragmentos, o columnas de yacimiento y contexto (contextos); indique cuáles son.</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>De %1 filas se han introducido %2; la misma importación introduce las demás.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -8704,6 +8998,107 @@
         <numerusform>Falta %n archivo de este proyecto o ha sido modificado: %1. Repóngalo desde una copia; «ostraka catalogue check» lo enumera.</numerusform>
         <numerusform>Faltan %n archivos de este proyecto o han sido modificados, el primero %1. Repóngalos desde una copia; «ostraka catalogue check» los enumera todos.</numerusform>
       </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ToolRow</name>
+    <message>
+        <source>More</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Más herramientas</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, tecla %2</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ColumnTable</name>
+    <message>
+        <source>says nothing about the sherd</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>no dice nada del fragmento</translation>
+    </message>
+    <message>
+        <source>unit guessed from the values; check it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>unidad deducida de los valores; compruébela</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>por su nombre</translation>
+    </message>
+    <message>
+        <source>as in the last table with these columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>como en la última tabla con estas columnas</translation>
+    </message>
+    <message>
+        <source>chosen by you</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>elegido por usted</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a field of your own</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ningún campo con este nombre; se conserva como campo propio</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Columnas de la tabla</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>columna</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>campo</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>first values</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>primeros valores</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>motivo</translation>
+    </message>
+    <message>
+        <source>Field of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Campo de la columna %1</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>omitir</translation>
+    </message>
+    <message>
+        <source>own field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>campo propio: %1</translation>
+    </message>
+    <message>
+        <source>Unit of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unidad de la columna %1</translation>
     </message>
 </context>
 </TS>

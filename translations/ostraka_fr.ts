@@ -311,6 +311,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sac %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sherd(s) counted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n tesson compté</numerusform>
+            <numerusform>%n tessons comptés</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -508,19 +516,9 @@
       <translation>L’impression ou le fichier n’a pas pu être achevé ; le disque est-il plein ?</translation>
     </message>
     <message>
-      <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 et %2 vont tous deux avec %3 : leurs bords ne diffèrent que de %4.</translation>
-    </message>
-    <message>
       <source>%1 and %2 both fit %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 et %2 vont tous deux avec %3.</translation>
-    </message>
-    <message>
-      <source>%1 would fit %2 nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 irait presque aussi bien avec %2.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
@@ -531,16 +529,6 @@
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sa face arrière a été donnée à une autre face avant : %1 est-elle la bonne maintenant ?</translation>
-    </message>
-    <message>
-      <source>%1 fits hardly better than a stranger's back.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 va à peine mieux que la face arrière d’un autre tesson.</translation>
-    </message>
-    <message>
-      <source>The two sides fit nearly as well in another position.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les deux faces vont presque aussi bien dans une autre position.</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -593,31 +581,6 @@
       <translation>Les bords ne peuvent pas être comparés ; seuls les contours lient ces faces.</translation>
     </message>
     <message>
-      <source>look</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>à regarder</translation>
-    </message>
-    <message>
-      <source>no back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sans face arrière</translation>
-    </message>
-    <message>
-      <source>sure</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sûr</translation>
-    </message>
-    <message>
-      <source>decided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>décidé</translation>
-    </message>
-    <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>mis de côté</translation>
-    </message>
-    <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>à refaire</translation>
@@ -633,11 +596,6 @@
       <translation>Aucune face arrière n’a été trouvée. Choisissez-en une, ou mettez le tesson de côté.</translation>
     </message>
     <message>
-      <source>The program is sure: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le programme est sûr : %1.</translation>
-    </message>
-    <message>
       <source>Decided by %1 on %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Décidé par %1 le %2.</translation>
@@ -648,34 +606,14 @@
       <translation>Mis de côté par %1 le %2.</translation>
     </message>
     <message>
-      <source>To be shot again, says %1, %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>À photographier de nouveau, dit %1, %2.</translation>
-    </message>
-    <message>
       <source>bag %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sac %1</translation>
     </message>
     <message>
-      <source>no front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sans face avant</translation>
-    </message>
-    <message>
       <source>This back is set aside. Drag it onto a front to use it after all.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette face arrière est mise de côté. Glissez-la sur une face avant pour l’utiliser quand même.</translation>
-    </message>
-    <message>
-      <source>This back is to be shot again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette face arrière est à photographier de nouveau.</translation>
-    </message>
-    <message>
-      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune face avant n’a cette face arrière. Glissez-la sur sa face avant, joignez-la à une autre, ou mettez-la de côté.</translation>
     </message>
     <message>
       <source>%1 ?</source>
@@ -699,14 +637,6 @@
       <source>in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>douteuse</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n tesson</numerusform>
-        <numerusform>%n tessons</numerusform>
-      </translation>
     </message>
     <message>
       <source>Its back %1 was given to %2: is %3 the right one now?</source>
@@ -804,26 +734,6 @@
       <translation>Le programme dit %1, %2.</translation>
     </message>
     <message>
-      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Joint à %1 par %2 ; ce sera une seule pièce une fois le lot calculé.</translation>
-    </message>
-    <message>
-      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Coupé en deux par %1 ; ses pièces viennent quand le lot est calculé.</translation>
-    </message>
-    <message>
-      <source>joined</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>joint</translation>
-    </message>
-    <message>
-      <source>cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>coupé</translation>
-    </message>
-    <message>
       <source>Sure by what was decided for others: %1; by itself %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sûr par ce qui a été décidé pour d'autres : %1 ; à lui seul %2.</translation>
@@ -861,13 +771,130 @@
             <numerusform>%n tessons quittent leurs sacs, qui restent dans l&apos;ancien contexte : %1.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) keep a number of the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n tesson garde un numéro de l&apos;ancien contexte : %1.</numerusform>
-            <numerusform>%n tessons gardent des numéros de l&apos;ancien contexte : %1.</numerusform>
-        </translation>
+    <message>
+        <source>front %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>face %1</translation>
+    </message>
+    <message>
+        <source>back %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>revers %1</translation>
+    </message>
+    <message>
+        <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fusionné avec %1 par %2. Ce sera un seul fragment après retraitement du lot.</translation>
+    </message>
+    <message>
+        <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Scindé par %1. Ses fragments apparaissent après retraitement du lot.</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fusionné</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Scindé</translation>
+    </message>
+    <message>
+        <source>No front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas de face</translation>
+    </message>
+    <message>
+        <source>This back is to be reshot.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ce revers est à rephotographier.</translation>
+    </message>
+    <message>
+        <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aucune face n&apos;a ce revers. Faites-le glisser sur sa face, fusionnez-le avec un autre ou mettez-le de côté.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 et %2 vont tous deux avec %3 : leurs cassures ne diffèrent que de %4.</translation>
+    </message>
+    <message>
+        <source>%1 would fit %2 almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 irait presque aussi bien avec %2.</translation>
+    </message>
+    <message>
+        <source>%1 fits barely better than an unrelated back.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 va à peine mieux qu&apos;un revers étranger.</translation>
+    </message>
+    <message>
+        <source>Ambiguous: a second position fits almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ambigu : une seconde position convient presque aussi bien.</translation>
+    </message>
+    <message>
+        <source>%1 confident</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fiabilité : %1</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>À vérifier</translation>
+    </message>
+    <message>
+        <source>No back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas de revers</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sûr</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Décidé</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mis de côté</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rephotographier</translation>
+    </message>
+    <message>
+        <source>To be reshot, decided by %1 on %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>À rephotographier, décidé par %1 le %2.</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Remplacer par la valeur mesurée</translation>
+    </message>
+    <message>
+        <source>Delete computed value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Supprimer la valeur calculée</translation>
+    </message>
+    <message>
+        <source>Save this value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enregistrer cette valeur</translation>
+    </message>
+    <message>
+        <source>%1 (computed %2)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 (calculé %2)</translation>
     </message>
 </context>
 <context>
@@ -900,16 +927,6 @@
         <numerusform>%n tesson, sûr</numerusform>
         <numerusform>%n tessons, tous sûrs</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>a draft: look, then compute it again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>une ébauche : à regarder, puis à recalculer</translation>
-    </message>
-    <message>
-      <source>the scale is not right: see the report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>l’échelle n’est pas juste : voir le rapport</translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
@@ -972,46 +989,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2, %3 %</translation>
     </message>
-    <message>
-      <source>being photographed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>en cours de prise de vue</translation>
-    </message>
-    <message>
-      <source>waits for its turn</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>attend son tour</translation>
-    </message>
-    <message>
-      <source>is being computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>en cours de calcul</translation>
-    </message>
-    <message>
-      <source>paused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>en pause</translation>
-    </message>
-    <message>
-      <source>stopped</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>arrêté</translation>
-    </message>
-    <message>
-      <source>wants your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>attend votre œil</translation>
-    </message>
-    <message>
-      <source>done</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>terminé</translation>
-    </message>
-    <message>
-      <source>decided; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>décidé ; reste à calculer</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1020,21 +997,6 @@
         <numerusform>%n tessons</numerusform>
       </translation>
     </message>
-    <message>
-      <source>sure %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sûrs %1</translation>
-    </message>
-    <message>
-      <source>decided %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>décidés %1</translation>
-    </message>
-    <message>
-      <source>ask %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>douteux %1</translation>
-    </message>
     <message numerus="yes">
       <source>%1; but %n counted on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1042,11 +1004,6 @@
         <numerusform>%1 ; mais %n compté sur le plateau</numerusform>
         <numerusform>%1 ; mais %n comptés sur le plateau</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>draft, to be computed again; %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ébauche, à recalculer ; %1</translation>
     </message>
     <message>
       <source>%1 waits for the draft of %2.</source>
@@ -1064,11 +1021,6 @@
       <translation>Pour ce lot, les caméras ont été retrouvées ; calibrez de nouveau le banc (C).</translation>
     </message>
     <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>mis de côté</translation>
-    </message>
-    <message>
       <source>It did not come to its end; compute it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le calcul n'est pas allé jusqu'au bout ; recalculez le lot.</translation>
@@ -1077,19 +1029,6 @@
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous l'avez mis de côté. Ses photographies sont gardées ; R le reprend.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%1; %n to be photographed again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1 ; %n à rephotographier</numerusform>
-        <numerusform>%1 ; %n à rephotographier</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>masks were mended; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>masques retouchés ; reste à calculer</translation>
     </message>
     <message>
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
@@ -1107,6 +1046,94 @@
       <translation>
             <numerusform>%1 ; %n rephotographié depuis</numerusform>
             <numerusform>%1 ; %n rephotographiés depuis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mis de côté</translation>
+    </message>
+    <message>
+        <source>Capturing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Prise de vue</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>En traitement</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Needs review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>À examiner</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Draft: review it, then reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Brouillon : examinez-le, puis retraitez-le</translation>
+    </message>
+    <message>
+        <source>Masks edited: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Masques modifiés : à retraiter</translation>
+    </message>
+    <message>
+        <source>Scale in doubt: see the report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Échelle douteuse : voir le rapport</translation>
+    </message>
+    <message>
+        <source>Decided: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Décidé : à retraiter</translation>
+    </message>
+    <message>
+        <source>%1 sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 sûrs</translation>
+    </message>
+    <message>
+        <source>%1 decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 décidés</translation>
+    </message>
+    <message>
+        <source>%1 to review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 à examiner</translation>
+    </message>
+    <message>
+        <source>draft, to be reprocessed; %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>brouillon, à retraiter ; %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n to reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%1 ; %n à rephotographier</numerusform>
+            <numerusform>%1 ; %n à rephotographier</numerusform>
         </translation>
     </message>
 </context>
@@ -1159,11 +1186,6 @@
       <source>Change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modifier</translation>
-    </message>
-    <message>
-      <source>Give numbers to the drafts</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numéroter les brouillons</translation>
     </message>
     <message>
       <source>Field</source>
@@ -1226,6 +1248,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêter et annuler</translation>
     </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Attribuer des numéros</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Remplacer par la valeur mesurée</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n valeur est à confirmer.</numerusform>
+            <numerusform>%n valeurs sont à confirmer.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -1233,16 +1273,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Autre face arrière …</translation>
-    </message>
-    <message>
-      <source>rim %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>bord %1</translation>
-    </message>
-    <message>
-      <source>no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sans bord</translation>
     </message>
     <message>
       <source>%1, with %2</source>
@@ -1266,6 +1296,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, libre</translation>
     </message>
+    <message>
+        <source>gap %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>écart %1</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>pas de contact</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1278,16 +1318,6 @@
       <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Saisi, par un lecteur de codes, ou par l’étiquette du sac posée sous l’appareil</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plus</translation>
-    </message>
-    <message>
-      <source>Import, another rig, set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importer, autre banc, mettre de côté</translation>
     </message>
 </context>
 <context>
@@ -1309,16 +1339,6 @@
         <numerusform>%1 : %n fichier importé ; il est dans la file.</numerusform>
         <numerusform>%1 : %n fichiers importés ; il est dans la file.</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>D’accord</translation>
-    </message>
-    <message>
-      <source>The next thing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’étape suivante</translation>
     </message>
     <message>
       <source>Stop the table</source>
@@ -1460,6 +1480,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ils sont justes</translation>
     </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>L&apos;installation précédente reste utilisée.</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Étape suivante</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1515,11 +1550,6 @@
       <source>No rig yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pas encore de banc</translation>
-    </message>
-    <message>
-      <source>The rig is being opened</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le banc s’ouvre</translation>
     </message>
     <message>
       <source>Lay the sherds on the plate</source>
@@ -1612,11 +1642,6 @@
       <translation>C’est juste : dans la file</translation>
     </message>
     <message>
-      <source>Stop %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêt %1 sur %2</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un instant</translation>
@@ -1691,11 +1716,6 @@
       <translation>%1 % des tessons est trop clair</translation>
     </message>
     <message>
-      <source>Light is right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La lumière est bonne</translation>
-    </message>
-    <message>
       <source>Read from the label: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lu sur l’étiquette : %1</translation>
@@ -1749,16 +1769,6 @@
       <translation>Ses tessons sont dans la vérification (Ctrl+3) : regardez tant qu'ils sont encore là</translation>
     </message>
     <message>
-      <source>The table stands still. What is safe is not photographed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le plateau est arrêté. Ce qui est sauvé n’est pas photographié de nouveau.</translation>
-    </message>
-    <message>
-      <source>Go on at stop %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Continuer à l’arrêt %1</translation>
-    </message>
-    <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été interrompue au milieu de cette face.</translation>
@@ -1787,6 +1797,61 @@
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous avez compté %1 tessons, les photos en montrent %2 : regardez si l&apos;un d&apos;eux est en morceaux ou s&apos;il y a là une chose qui n&apos;est pas un tesson, ou corrigez le nombre.</translation>
+    </message>
+    <message>
+        <source>The rig does not open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>L&apos;installation ne s&apos;ouvre pas</translation>
+    </message>
+    <message>
+        <source>Taking calibration photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Prise des photos d&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>The virtual rig turns the sherds over</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>L&apos;installation virtuelle retourne les tessons</translation>
+    </message>
+    <message>
+        <source>The table stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le plateau est arrêté. Les photos enregistrées sont conservées.</translation>
+    </message>
+    <message>
+        <source>Nothing to do by hand: shoot the backs.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rien à faire à la main : photographiez les revers.</translation>
+    </message>
+    <message>
+        <source>Resume at position %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reprendre à la position %1</translation>
+    </message>
+    <message>
+        <source>Shoot the backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier les revers</translation>
+    </message>
+    <message>
+        <source>Calibration photograph %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photo d&apos;étalonnage %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Position %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Position %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ouverture de l&apos;installation</translation>
+    </message>
+    <message>
+        <source>Lighting OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Éclairage correct</translation>
     </message>
 </context>
 <context>
@@ -1833,21 +1898,6 @@
       <source>Edit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modifier</translation>
-    </message>
-    <message>
-      <source>Give numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numéroter</translation>
-    </message>
-    <message>
-      <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas encore de tessons. Ils viennent d’eux-mêmes quand un lot est calculé ; commencez par la prise de vue.</translation>
-    </message>
-    <message>
-      <source>No sherd fits. Take a condition away.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun tesson ne convient. Enlevez une condition.</translation>
     </message>
     <message>
       <source>change %1</source>
@@ -1923,6 +1973,61 @@
       <source>Choose the sherds that are to get numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Choisissez les tessons qui doivent recevoir un numéro.</translation>
+    </message>
+    <message>
+        <source>No sherds yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas encore de tessons</translation>
+    </message>
+    <message>
+        <source>Sherds appear here when a batch is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Les tessons apparaissent ici quand un lot est traité.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier un lot</translation>
+    </message>
+    <message>
+        <source>No sherds match this filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aucun tesson ne correspond à ce filtre</translation>
+    </message>
+    <message>
+        <source>Remove a condition to see more.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Retirez une condition pour en voir davantage.</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Effacer le filtre</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Attribuer des numéros</translation>
+    </message>
+    <message>
+        <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un tesson annulé ne reçoit ni étiquette, ni dessin, ni place sur un plateau, et son numéro n’est plus jamais donné. %1 est-il annulé : « %2 » ?</translation>
+    </message>
+    <message>
+        <source>no number yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>pas encore de numéro</translation>
+    </message>
+    <message>
+        <source>Yes, it is void</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Oui, il est annulé</translation>
     </message>
 </context>
 <context>
@@ -2230,11 +2335,6 @@
       <translation>Tous les tessons</translation>
     </message>
     <message>
-      <source>Those that fit this filter:</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ceux qui répondent à ce filtre :</translation>
-    </message>
-    <message>
       <source>Filter of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Filtre de ce qui est exporté</translation>
@@ -2245,19 +2345,9 @@
       <translation>contexte:0012</translation>
     </message>
     <message>
-      <source>Forms</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Formes</translation>
-    </message>
-    <message>
       <source>Tables (CSV), for spreadsheets</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tableaux (CSV), pour les tableurs</translation>
-    </message>
-    <message>
-      <source>Records (JSON), to be read back whole</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fiches (JSON), relisibles en entier</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2305,11 +2395,6 @@
       <translation>Progression de l’exportation</translation>
     </message>
     <message>
-      <source>Stop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter</translation>
-    </message>
-    <message>
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ouvrir le dossier</translation>
@@ -2318,11 +2403,6 @@
       <source>Where shall the folder be?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Où mettre le dossier ?</translation>
-    </message>
-    <message>
-      <source>Those chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ceux choisis dans le catalogue</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2378,11 +2458,6 @@
       <translation>Pour PLY, GLB et OBJ : avec moins de triangles, les fichiers sont bien plus petits. Leur écart est mesuré et inscrit dans chacun.</translation>
     </message>
     <message>
-      <source>as computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>comme calculés</translation>
-    </message>
-    <message>
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>allégés, à %1 mm près</translation>
@@ -2401,6 +2476,36 @@
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;exportation n&apos;est pas terminée, et rien n&apos;en resterait. Fermez encore une fois pour l&apos;arrêter.</translation>
+    </message>
+    <message>
+        <source>Matching the filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Selon le filtre</translation>
+    </message>
+    <message>
+        <source>Formats</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Formats</translation>
+    </message>
+    <message>
+        <source>Records (JSON), re-importable</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fiches (JSON), réimportables</translation>
+    </message>
+    <message>
+        <source>Full detail</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Détail complet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Selected sherds</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tessons sélectionnés</translation>
     </message>
 </context>
 <context>
@@ -2452,9 +2557,9 @@
       <translation>Progression du calcul</translation>
     </message>
     <message>
-      <source>Nothing to compute</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rien à calculer</translation>
+        <source>Idle</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Inactif</translation>
     </message>
 </context>
 <context>
@@ -2649,11 +2754,6 @@
       <translation>pourquoi pas</translation>
     </message>
     <message>
-      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tableau de tessons a une colonne number ou uuid ; un tableau de contextes a site, context et, si vous voulez, trench et bag.</translation>
-    </message>
-    <message>
       <source>Looking at it …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Examen …</translation>
@@ -2691,6 +2791,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Garder les autres versions</translation>
     </message>
+    <message>
+        <source>to confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>à confirmer</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Colonnes</translation>
+    </message>
+    <message numerus="yes">
+        <source>Columns (%n to check)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Colonnes (%n à vérifier)</numerusform>
+            <numerusform>Colonnes (%n à vérifier)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un tableau de tessons a une colonne de leurs numéros ; un tableau de contextes a des colonnes de site et de contexte. Leurs noms peuvent être dans n’importe quelle langue du programme.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Confirm %n row(s)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Confirmer %n ligne</numerusform>
+            <numerusform>Confirmer %n lignes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2727,6 +2863,14 @@
         <numerusform>Arrêté : %n lignes ne sont pas saisies. Importez de nouveau le tableau pour le reste.</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n ligne est à confirmer.</numerusform>
+            <numerusform>%n lignes sont à confirmer.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2749,11 +2893,6 @@
       <translation>Ostraka</translation>
     </message>
     <message>
-      <source>%1 is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est calculé.</translation>
-    </message>
-    <message>
       <source>%1 stopped: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 s’est arrêté : %2</translation>
@@ -2762,11 +2901,6 @@
       <source>Undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annuler</translation>
-    </message>
-    <message>
-      <source>Do again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Refaire</translation>
     </message>
     <message>
       <source>Manual</source>
@@ -2849,11 +2983,6 @@
       <translation>Annuler : %1</translation>
     </message>
     <message>
-      <source>Do again: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Refaire : %1</translation>
-    </message>
-    <message>
       <source>Copy of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Copie du catalogue</translation>
@@ -2873,6 +3002,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce projet ne peut être que lu : regardez tout ; les modifications sont refusées.</translation>
     </message>
+    <message>
+        <source>%1 is ready.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 est prêt.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rétablir : %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
@@ -2887,29 +3031,14 @@
       <translation>Imprimer plan et étiquettes</translation>
     </message>
     <message>
-      <source>Print map and labels   Ctrl+P</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imprimer plan et étiquettes   Ctrl+P</translation>
-    </message>
-    <message>
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tesson %1</translation>
     </message>
     <message>
-      <source>No batch is computed yet; its map appears here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun lot n’est encore calculé ; son plan apparaît ici.</translation>
-    </message>
-    <message>
       <source>Map of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plan de %1</translation>
-    </message>
-    <message>
-      <source>%1-%2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -2977,6 +3106,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré : %1</translation>
     </message>
+    <message>
+        <source>No map yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas encore de plan</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographiez ou importez un lot. Une fois traité, son plan montre où était chaque tesson.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier un lot</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3009,14 +3153,14 @@
       <translation>Ce qui s’est passé</translation>
     </message>
     <message>
-      <source>Leave it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Laisser</translation>
+        <source>Dismiss</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ignorer</translation>
     </message>
     <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>D’accord</translation>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -3181,24 +3325,9 @@
       <translation>mise de côté de %1</translation>
     </message>
     <message>
-      <source>shooting %1 again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>nouvelle prise de vue de %1</translation>
-    </message>
-    <message>
       <source>One of the two has no back to be joined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’un des deux n’a pas de face arrière à joindre.</translation>
-    </message>
-    <message>
-      <source>joining %1 and %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>jonction de %1 et %2</translation>
-    </message>
-    <message>
-      <source>cutting %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>coupe de %1</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3264,6 +3393,21 @@
       <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré, avec votre nom ; mais les bords de %1 et %2 se rencontrent à peine : %3 d’entre eux.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>nouvelle prise de %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>fusion de %1 et %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>scission de %1</translation>
     </message>
 </context>
 <context>
@@ -3376,26 +3520,6 @@
       <translation>Pause</translation>
     </message>
     <message>
-      <source>Compute again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Recalculer</translation>
-    </message>
-    <message>
-      <source>Stop this batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter ce lot</translation>
-    </message>
-    <message>
-      <source>Report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rapport</translation>
-    </message>
-    <message>
-      <source>Review it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le vérifier</translation>
-    </message>
-    <message>
       <source>Log</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Journal</translation>
@@ -3416,16 +3540,6 @@
       <translation>Pas encore de lot</translation>
     </message>
     <message>
-      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce que vous photographiez ou importez est calculé ici, un lot après l’autre, pendant que vous continuez.</translation>
-    </message>
-    <message>
-      <source>Photograph the first batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Photographier le premier lot</translation>
-    </message>
-    <message>
       <source>Queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>File</translation>
@@ -3439,39 +3553,9 @@
       </translation>
     </message>
     <message>
-      <source>Go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Continuer</translation>
-    </message>
-    <message>
       <source>%1 has no report yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n’a pas encore de rapport.</translation>
-    </message>
-    <message>
-      <source>Stop %1?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter %1 ?</translation>
-    </message>
-    <message>
-      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le calcul dure depuis plus d’une heure. Les étapes achevées sont gardées, celle en cours est perdue.</translation>
-    </message>
-    <message>
-      <source>Stop it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’arrêter</translation>
-    </message>
-    <message>
-      <source>Let it go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le laisser continuer</translation>
-    </message>
-    <message>
-      <source>Mend the masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Corriger les masques</translation>
     </message>
     <message>
       <source>Drafts first</source>
@@ -3479,24 +3563,99 @@
       <translation>Ébauches d’abord</translation>
     </message>
     <message>
-      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calcule chaque nouveau lot vite et grossièrement, pour le voir tant que les tessons sont encore là ; recalculé, il devient définitif (D)</translation>
-    </message>
-    <message>
-      <source>Calibrate the rig again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calibrer de nouveau le banc</translation>
-    </message>
-    <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une caméra a été heurtée : les photos de ce lot disent où sont les caméras à présent (C)</translation>
     </message>
     <message>
-      <source>Set this batch aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mettre ce lot de côté</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Retraiter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Afficher le rapport</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Examiner</translation>
+    </message>
+    <message>
+        <source>Edit masks</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Modifier les masques</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Traite chaque nouveau lot vite et grossièrement, pour vérifier tant que les tessons sont sur le plateau ; le retraitement le rend définitif (D)</translation>
+    </message>
+    <message>
+        <source>Recalibrate rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Réétalonner</translation>
+    </message>
+    <message>
+        <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ce que vous photographiez ou importez est traité ici, un lot après l&apos;autre, pendant que vous continuez.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier un lot</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Lot</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mettre de côté</translation>
+    </message>
+    <message>
+        <source>Cancel %1?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Annuler %1 ?</translation>
+    </message>
+    <message>
+        <source>It has been processing for more than an hour. Finished stages are saved; the current one is lost.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le traitement dure depuis plus d&apos;une heure. Les étapes terminées sont enregistrées ; celle en cours est perdue.</translation>
+    </message>
+    <message>
+        <source>Cancel it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>L&apos;annuler</translation>
+    </message>
+    <message>
+        <source>Keep processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Poursuivre</translation>
     </message>
 </context>
 <context>
@@ -3523,11 +3682,6 @@
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Paires, les plus douteuses d’abord</translation>
-    </message>
-    <message>
-      <source>This one</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Celle-ci</translation>
     </message>
     <message>
       <source>Next pair</source>
@@ -3570,11 +3724,6 @@
       <translation>Miroir</translation>
     </message>
     <message>
-      <source>Apart</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Écarter</translation>
-    </message>
-    <message>
       <source>Section</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Coupe</translation>
@@ -3585,59 +3734,14 @@
       <translation>Mesurer</translation>
     </message>
     <message>
-      <source>Rim gap</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Écart des bords</translation>
-    </message>
-    <message>
       <source>Model</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modèle</translation>
     </message>
     <message>
-      <source>Settle</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajuster</translation>
-    </message>
-    <message>
-      <source>Let the rims settle the position (B)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Laisser les bords trouver la position (B)</translation>
-    </message>
-    <message>
       <source>Set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mettre de côté</translation>
-    </message>
-    <message>
-      <source>Shoot again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rephotographier</translation>
-    </message>
-    <message>
-      <source>Cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Couper</translation>
-    </message>
-    <message>
-      <source>Join</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Joindre</translation>
-    </message>
-    <message>
-      <source>%1 %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>%1, key %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, touche %2</translation>
-    </message>
-    <message>
-      <source>This one   Enter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Celle-ci   Entrée</translation>
     </message>
     <message>
       <source>The rims are compared … Esc stops.</source>
@@ -3655,26 +3759,6 @@
       <translation>Paires du lot</translation>
     </message>
     <message>
-      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Joindre deux morceaux d’un tesson : choisissez ensuite l’autre carte (J faces avant, Maj+J faces arrière)</translation>
-    </message>
-    <message>
-      <source>Join backs</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Joindre les faces arrière</translation>
-    </message>
-    <message>
-      <source>Settle, join and cut nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien caler, joindre ni couper</translation>
-    </message>
-    <message>
-      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Couper un morceau qui est en réalité deux tessons, le long d'une ligne sur son image (K)</translation>
-    </message>
-    <message>
       <source>The rims settle: %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les bords se calent : %1. Échap arrête.</translation>
@@ -3683,6 +3767,86 @@
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cliquez sur le tesson à un bout de la longueur, puis à l’autre. D termine.</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>Leave merging and splitting</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Quitter fusion et scission</translation>
+    </message>
+    <message>
+        <source>Refine fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Affiner l&apos;ajustement</translation>
+    </message>
+    <message>
+        <source>Refine the position by the fracture surfaces (B)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Affiner la position d&apos;après les cassures (B)</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rephotographier</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Decide</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Décider</translation>
+    </message>
+    <message>
+        <source>Explode</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Éclater</translation>
+    </message>
+    <message>
+        <source>Fracture gap</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Écart de cassure</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Scinder</translation>
+    </message>
+    <message>
+        <source>Split a scan of two sherds along a line over its photograph (K)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Scinder un scan de deux tessons le long d&apos;une ligne sur sa photo (K)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fusionner</translation>
+    </message>
+    <message>
+        <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fusionner deux fragments d&apos;un tesson : choisissez ensuite l&apos;autre carte (J faces, Maj+J revers)</translation>
+    </message>
+    <message>
+        <source>Merge backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fusionner les revers</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Entrée</translation>
     </message>
 </context>
 <context>
@@ -3701,21 +3865,6 @@
       <source>Your initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vos initiales</translation>
-    </message>
-    <message>
-      <source>Compute what changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calculer ce qui a changé</translation>
-    </message>
-    <message>
-      <source>Makes the models of the pairs that were decided anew</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fait les modèles des paires décidées de nouveau</translation>
-    </message>
-    <message>
-      <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun lot n’est encore calculé. Photographiez-en ou importez-en un ; ses paires apparaissent ici.</translation>
     </message>
     <message>
       <source>Opening %1</source>
@@ -3761,11 +3910,6 @@
       <translation>Vérification</translation>
     </message>
     <message>
-      <source>Where its report is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vers son rapport</translation>
-    </message>
-    <message>
       <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune des mesures de %1 n’est sûre. %2</translation>
@@ -3786,11 +3930,6 @@
       <translation>Enregistré. Une fois le calcul fait, le tesson réuni garde le numéro %1, et %2 reste sans pièce. Annuler les sépare de nouveau.</translation>
     </message>
     <message>
-      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a été photographié de nouveau sous le numéro %2 dans %3 et a maintenant une fiche de trop : annulez-la dans le catalogue, ou mettez la pièce de côté ici.</translation>
-    </message>
-    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune longueur n'est connue sur %1 : aucun chiffre ni aucune longueur affichés ici ne sont en millimètres.</translation>
@@ -3799,6 +3938,41 @@
       <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré. Au calcul, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les réunit.</translation>
+    </message>
+    <message>
+        <source>Update changed models</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mettre à jour les modèles</translation>
+    </message>
+    <message>
+        <source>Reprocesses the pairs that were decided differently</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Retraite les paires décidées autrement</translation>
+    </message>
+    <message>
+        <source>No pairs to review yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas encore de paires à examiner</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographiez ou importez un lot. Ses paires apparaissent ici une fois traité.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier un lot</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Afficher le rapport</translation>
+    </message>
+    <message>
+        <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 a été rephotographié comme %2 dans %3 et a maintenant deux fiches. Annulez-en une dans le catalogue ou mettez le fragment de côté ici.</translation>
     </message>
 </context>
 <context>
@@ -3888,6 +4062,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Espace</translation>
     </message>
+    <message>
+        <source>Keep current rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Garder l&apos;installation actuelle</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
@@ -3925,11 +4104,6 @@
 <context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
-      <source>As the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comme le bureau</translation>
-    </message>
-    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Clair</translation>
@@ -3960,11 +4134,6 @@
       <translation>Vos &amp;initiales</translation>
     </message>
     <message>
-      <source>They stand in the history of each decision.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elles figurent dans l’historique de chaque décision.</translation>
-    </message>
-    <message>
       <source>&amp;Theme</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Thème</translation>
@@ -3985,11 +4154,6 @@
       <translation>&amp;Langue</translation>
     </message>
     <message>
-      <source>Holds from the next start.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vaut au prochain démarrage.</translation>
-    </message>
-    <message>
       <source>&amp;Processors for computing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Processeurs pour le calcul</translation>
@@ -4000,9 +4164,24 @@
       <translation>%1 %</translation>
     </message>
     <message>
-      <source>Back to work (Esc)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Retour au travail (Échap)</translation>
+        <source>Follow system</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Recorded with each decision.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Notées avec chaque décision.</translation>
+    </message>
+    <message>
+        <source>Takes effect after restart.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Prend effet au redémarrage.</translation>
+    </message>
+    <message>
+        <source>Back to project (Esc)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Retour au projet (Échap)</translation>
     </message>
 </context>
 <context>
@@ -4181,19 +4360,19 @@
       <translation>Pas encore enregistré : %1. Entrée dans le champ l'enregistre.</translation>
     </message>
     <message>
-      <source>Yes, it is void</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Oui, il est annulé</translation>
-    </message>
-    <message>
-      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tesson annulé ne reçoit ni étiquette, ni dessin, ni place sur une planche, et son numéro n'est plus jamais donné. %1 est-il annulé : « %2 » ?</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 est le numéro d&apos;ordre dans le contexte du tesson ; =7 est le numéro 7 lui-même.</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Confirmer</translation>
+    </message>
+    <message>
+        <source>computed; replaced by the measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>calculé ; remplacé par la valeur mesurée</translation>
     </message>
 </context>
 <context>
@@ -4267,6 +4446,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : l’échelle du lot %2 est douteuse ; son rapport dit pourquoi et que faire.</translation>
     </message>
+    <message>
+        <source>%1: measured by hand; the computed value is kept beside it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : mesuré à la main ; la valeur calculée est conservée à côté.</translation>
+    </message>
+    <message>
+        <source>%1: %2, measured by hand</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : %2, mesuré à la main</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
@@ -4299,11 +4488,6 @@
       <translation>&amp;Projets</translation>
     </message>
     <message>
-      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas encore de projet. Créez-en un, ou essayez tout avec le banc virtuel : il casse un vase et photographie ses tessons pour vous.</translation>
-    </message>
-    <message>
       <source>&amp;Open a project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Ouvrir un projet…</translation>
@@ -4334,11 +4518,6 @@
       <translation>Choisir le dossier</translation>
     </message>
     <message>
-      <source>Make the project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Créer le projet</translation>
-    </message>
-    <message>
       <source>&amp;Name</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Nom</translation>
@@ -4364,21 +4543,11 @@
       <translation>N&amp;umérotation</translation>
     </message>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tesson sera</translation>
-    </message>
-    <message>
       <source>%1
 %2, %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2, %3</translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>D’accord</translation>
     </message>
     <message>
       <source>Folder of the new project</source>
@@ -4417,6 +4586,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aide</translation>
     </message>
+    <message>
+        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas encore de projet. Créez-en un, ou essayez tout avec l&apos;installation virtuelle : elle casse un pot et photographie ses tessons.</translation>
+    </message>
+    <message>
+        <source>Create project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Créer le projet</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Exemple</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>OK</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4447,34 +4636,44 @@
       <translation>%1 mm</translation>
     </message>
     <message>
-      <source>front: blue rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>avant : bord bleu</translation>
+        <source>Front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Face avant</translation>
     </message>
     <message>
-      <source>back: red rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>arrière : bord rouge</translation>
+        <source>Back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Face arrière</translation>
     </message>
     <message>
-      <source>%1 mm and more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 mm et plus</translation>
+        <source>No scale: lengths are not known</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas d’échelle : les longueurs sont inconnues</translation>
     </message>
     <message>
-      <source>0 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>0 mm</translation>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>pas de contact</translation>
     </message>
     <message>
-      <source>gap between the sides along the rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>écart entre les faces le long du bord</translation>
+        <source>filled in, not seen by a camera</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>comblé, vu par aucune caméra</translation>
     </message>
     <message>
-      <source>grey: not met by the other side</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>gris : l’autre face ne touche pas ici</translation>
+        <source>Distance between the sides along the fracture</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Distance entre les faces le long de la cassure</translation>
+    </message>
+    <message>
+        <source>front outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>face avant en dehors de %1</translation>
+    </message>
+    <message>
+        <source>back outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>face arrière en dehors de %1</translation>
     </message>
 </context>
 <context>
@@ -4540,14 +4739,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masques de %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n photograph(s) mended; what follows from them is computed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n photographie corrigée ; ce qui en découle sera recalculé.</numerusform>
-        <numerusform>%n photographies corrigées ; ce qui en découle sera recalculé.</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4557,11 +4748,6 @@
       <source>Brush's &amp;width</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Largeur du pinceau</translation>
-    </message>
-    <message>
-      <source>Compute with these</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calculer avec ceux-ci</translation>
     </message>
     <message>
       <source>Larger</source>
@@ -4584,11 +4770,6 @@
       <translation>Photographie</translation>
     </message>
     <message>
-      <source>Photograph before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Photographie précédente</translation>
-    </message>
-    <message>
       <source>Plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plateau</translation>
@@ -4599,14 +4780,37 @@
       <translation>Tesson</translation>
     </message>
     <message>
-      <source>The photograph is being read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La photographie est en cours de lecture.</translation>
+        <source>Previous photograph</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photo précédente</translation>
     </message>
     <message>
-      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce qui est voilé de bleu est pris pour du tesson. Peignez ce qui manque, ou comme plateau ce qui est en trop ; les masques du programme restent.</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Retraiter</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Loading photograph…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Chargement de la photo…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) edited. Reprocess to update what follows from them.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n photo modifiée. Retraitez pour mettre à jour la suite.</numerusform>
+            <numerusform>%n photos modifiées. Retraitez pour mettre à jour la suite.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bleu : classé comme tesson. Peignez ce qui manque comme tesson, ce qui est faux comme plateau ; les masques du programme restent.</translation>
     </message>
 </context>
 <context>
@@ -6070,11 +6274,6 @@
       <translation>Tessons avec le terme « %1 » : %2 ; modifiez-les d’abord.</translation>
     </message>
     <message>
-      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le catalogue est endommagé (%1) ; remettez le fichier le plus récent du dossier backups.</translation>
-    </message>
-    <message>
       <source>a row of %1 points at nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>une ligne de %1 ne renvoie à rien</translation>
@@ -6095,11 +6294,6 @@
       <translation>La sauvegarde ne contient pas ce qui a été enregistré ; réessayez.</translation>
     </message>
     <message>
-      <source>The backup cannot be given its name; check the folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La sauvegarde ne peut pas recevoir son nom ; vérifiez le dossier.</translation>
-    </message>
-    <message>
       <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue ne peut pas être ouvert ; vérifiez que le dossier existe et qu’on peut y écrire.</translation>
@@ -6113,11 +6307,6 @@
       <source>The disk does not answer properly; check it, then open the project again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque ne répond pas correctement ; vérifiez-le, puis rouvrez le projet.</translation>
-    </message>
-    <message>
-      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le catalogue est endommagé ; remettez le fichier le plus récent du dossier backups.</translation>
     </message>
     <message>
       <source>The catalogue does not take this (%1).</source>
@@ -7090,11 +7279,6 @@
       <translation>La colonne '%1' figure deux fois.</translation>
     </message>
     <message>
-      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il faut au tableau une colonne 'number' (tessons), ou les colonnes 'site' et 'context' (contextes).</translation>
-    </message>
-    <message>
       <source>These places and batches are not written as Ostraka writes them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces lieux et ces lots ne sont pas écrits comme Ostraka les écrit.</translation>
@@ -7733,11 +7917,6 @@
       <source>Look at the masks, and at whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Regardez les masques, et s’il y avait des tessons sur le plateau.</translation>
-    </message>
-    <message>
-      <source>The folder cannot be made (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier ne peut pas être créé (%1).</translation>
     </message>
     <message>
       <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
@@ -8440,11 +8619,6 @@
       <translation>Le banc demande un appareil et au moins quatre arrêts ; calibrez-le de nouveau.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one for the batch.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier contient déjà des fichiers ; nommez-en un nouveau ou un vide pour le lot.</translation>
-    </message>
-    <message>
       <source>The virtual camera has no setting %1 of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil virtuel n’a pas de réglage %1 à %2.</translation>
@@ -8463,11 +8637,6 @@
       <source>This model is gone; compute its batch again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle n'est plus là ; recalculez son lot.</translation>
-    </message>
-    <message>
-      <source>The model cannot be kept here (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le modèle ne peut pas être gardé ici (%1).</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8689,6 +8858,131 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
     </message>
+    <message>
+      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de sortie a disparu : il a été déplacé ou supprimé pendant que le programme y écrivait. Les photographies sont intactes ; relancer la même commande.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier contient déjà des fichiers ; en nommer un nouveau ou un vide.</translation>
+    </message>
+    <message>
+      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier est un disque à part, ou celui où vous vous trouvez ; nommer un nouveau dossier à l&apos;intérieur.</translation>
+    </message>
+    <message>
+      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier est nécessaire aux fichiers inachevés, mais il en contient d&apos;autres ; le déplacer.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un morceau de %1 % de la longueur du tesson habituel a été écarté de la face avant ; sans échelle, ce peut être un tesson.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un morceau de %1 % de la longueur du tesson habituel a été écarté de la face arrière ; sans échelle, ce peut être un tesson.</translation>
+    </message>
+    <message>
+      <source>If it is one, photograph it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Si c&apos;en est un, le photographier seul.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le catalogue est endommagé (%1) ; rien n’a été modifié et aucune sauvegarde n’a été supprimée. Restaurez-le avec « ostraka catalogue repair PROJECT ».</translation>
+    </message>
+    <message>
+        <source>a page was changed</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>une page a été modifiée</translation>
+    </message>
+    <message>
+        <source>its pages do not fit together</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ses pages ne concordent pas</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the file is not a database</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>le fichier n’est pas une base de données</translation>
+    </message>
+    <message>
+        <source>the file belongs to another program</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>le fichier appartient à un autre programme</translation>
+    </message>
+    <message>
+        <source>the file holds no catalogue</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>le fichier ne contient pas de catalogue</translation>
+    </message>
+    <message>
+        <source>the header contradicts itself</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>l’en-tête se contredit</translation>
+    </message>
+    <message>
+        <source>it holds no project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>il ne contient pas de projet</translation>
+    </message>
+    <message>
+        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le catalogue ne peut pas être lu ; vérifiez qu’il est présent, ainsi que ses droits d’accès.</translation>
+    </message>
+    <message>
+        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ce projet est en lecture seule et la place manque pour une copie de lecture ; libérez de la place dans le dossier des fichiers temporaires.</translation>
+    </message>
+    <message>
+        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ce projet vient d’une version antérieure d’Ostraka et ne peut être que lu ici ; copiez-le dans un dossier où vous pouvez écrire et ouvrez-le là.</translation>
+    </message>
+    <message>
+        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>La copie du catalogue endommagé ne peut pas être écrite ; libérez de la place sur ce disque, puis réparez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le catalogue réparé ne peut pas être écrit ; libérez de la place sur ce disque, puis réparez-le à nouveau. Rien n’a été modifié.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le catalogue est endommagé et aucune de ses sauvegardes n’est entière ; copiez-en une dans le dossier backups, depuis une archive ou un autre disque, puis réparez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>Another program has this project open; close it there, then repair it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un autre programme a ce projet ouvert ; fermez-le là, puis réparez-le.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; indiquez lesquelles.</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sur %1 lignes, %2 sont enregistrées ; la même importation enregistre les autres.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -8704,6 +8998,107 @@
         <numerusform>%n fichier de ce projet manque ou a été modifié : %1. Remettez-le depuis une copie ; « ostraka catalogue check » le nomme.</numerusform>
         <numerusform>%n fichiers de ce projet manquent ou ont été modifiés, d&apos;abord %1. Remettez-les depuis une copie ; « ostraka catalogue check » les nomme tous.</numerusform>
       </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ToolRow</name>
+    <message>
+        <source>More</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Autres outils</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, touche %2</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ColumnTable</name>
+    <message>
+        <source>says nothing about the sherd</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ne dit rien du tesson</translation>
+    </message>
+    <message>
+        <source>unit guessed from the values; check it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>unité déduite des valeurs ; vérifiez-la</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>d’après son nom</translation>
+    </message>
+    <message>
+        <source>as in the last table with these columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>comme dans le dernier tableau ayant ces colonnes</translation>
+    </message>
+    <message>
+        <source>chosen by you</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>choisi par vous</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a field of your own</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>aucun champ de ce nom ; gardé comme champ personnel</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Colonnes du tableau</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>colonne</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>champ</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>first values</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>premières valeurs</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>raison</translation>
+    </message>
+    <message>
+        <source>Field of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Champ de la colonne %1</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>laisser de côté</translation>
+    </message>
+    <message>
+        <source>own field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>champ personnel : %1</translation>
+    </message>
+    <message>
+        <source>Unit of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Unité de la colonne %1</translation>
     </message>
 </context>
 </TS>

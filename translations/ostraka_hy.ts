@@ -311,6 +311,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տոպրակ %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sherd(s) counted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>հաշվված է %n խեցի</numerusform>
+            <numerusform>հաշվված է %n խեցի</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -508,19 +516,9 @@
       <translation>Տպումը կամ ֆայլը չավարտվեց. գուցե սկավառակը լի՞ է։</translation>
     </message>
     <message>
-      <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը և %2-ը երկուսն էլ հարմար են %3-ին. նրանց եզրերը տարբերվում են միայն %4-ով։</translation>
-    </message>
-    <message>
       <source>%1 and %2 both fit %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը և %2-ը երկուսն էլ հարմար են %3-ին։</translation>
-    </message>
-    <message>
-      <source>%1 would fit %2 nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը գրեթե նույնքան լավ կհարմարեր %2-ին։</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
@@ -531,16 +529,6 @@
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նրա հետևի երեսը տրվել է ուրիշ առջևի երեսի. հիմա ճիշտը %1-ն է՞։</translation>
-    </message>
-    <message>
-      <source>%1 fits hardly better than a stranger's back.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը հազիվ է ավելի լավ հարմարվում, քան օտար բեկորի հետևի երեսը։</translation>
-    </message>
-    <message>
-      <source>The two sides fit nearly as well in another position.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Երկու երեսները գրեթե նույնքան լավ են հարմարվում այլ դիրքում։</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -593,31 +581,6 @@
       <translation>Եզրերը համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
     </message>
     <message>
-      <source>look</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>նայել</translation>
-    </message>
-    <message>
-      <source>no back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հետևի երես չկա</translation>
-    </message>
-    <message>
-      <source>sure</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>վստահ</translation>
-    </message>
-    <message>
-      <source>decided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>որոշված</translation>
-    </message>
-    <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մի կողմ դրված</translation>
-    </message>
-    <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կրկին նկարել</translation>
@@ -633,11 +596,6 @@
       <translation>Հետևի երես չգտնվեց։ Ընտրեք մեկը կամ բեկորը մի կողմ դրեք։</translation>
     </message>
     <message>
-      <source>The program is sure: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ծրագիրը վստահ է՝ %1։</translation>
-    </message>
-    <message>
       <source>Decided by %1 on %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշել է %1-ը, %2։</translation>
@@ -648,34 +606,14 @@
       <translation>Մի կողմ է դրել %1-ը, %2։</translation>
     </message>
     <message>
-      <source>To be shot again, says %1, %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պետք է կրկին նկարել, ասում է %1-ը, %2։</translation>
-    </message>
-    <message>
       <source>bag %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տոպրակ %1</translation>
     </message>
     <message>
-      <source>no front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>առջևի երես չկա</translation>
-    </message>
-    <message>
       <source>This back is set aside. Drag it onto a front to use it after all.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս հետևի երեսը մի կողմ է դրված։ Այնուամենայնիվ օգտագործելու համար քաշեք այն առջևի երեսի վրա։</translation>
-    </message>
-    <message>
-      <source>This back is to be shot again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս հետևի երեսը պետք է կրկին նկարել։</translation>
-    </message>
-    <message>
-      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի առջևի երես այս հետևի երեսը չունի։ Քաշեք այն իր առջևի երեսի վրա, միացրեք մյուսին կամ մի կողմ դրեք։</translation>
     </message>
     <message>
       <source>%1 ?</source>
@@ -699,14 +637,6 @@
       <source>in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կասկածելի</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n բեկոր</numerusform>
-        <numerusform>%n բեկոր</numerusform>
-      </translation>
     </message>
     <message>
       <source>Its back %1 was given to %2: is %3 the right one now?</source>
@@ -804,26 +734,6 @@
       <translation>Ծրագիրն ասում է %1, %2։</translation>
     </message>
     <message>
-      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ը միացրել է %1-ի հետ. մեկ կտոր կդառնա, երբ խմբաքանակը հաշվարկվի։</translation>
-    </message>
-    <message>
-      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը կտրել է երկու մասի. կտորները կգան, երբ խմբաքանակը հաշվարկվի։</translation>
-    </message>
-    <message>
-      <source>joined</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>միացված</translation>
-    </message>
-    <message>
-      <source>cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կտրված</translation>
-    </message>
-    <message>
       <source>Sure by what was decided for others: %1; by itself %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վստահ է մյուսների համար որոշվածի շնորհիվ՝ %1. ինքնին՝ %2։</translation>
@@ -861,13 +771,130 @@
             <numerusform>%n բեկոր թողնում են իրենց տոպրակները, որոնք մնում են հին համատեքստում. %1։</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) keep a number of the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n բեկոր պահում է հին համատեքստի համար. %1։</numerusform>
-            <numerusform>%n բեկոր պահում են հին համատեքստի համարներ. %1։</numerusform>
-        </translation>
+    <message>
+        <source>front %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>դիմերես %1</translation>
+    </message>
+    <message>
+        <source>back %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>դարձերես %1</translation>
+    </message>
+    <message>
+        <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Միավորված է %1-ի հետ, %2: Խմբաքանակի վերամշակումից հետո մեկ բեկոր կլինի:</translation>
+    </message>
+    <message>
+        <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Բաժանված է, %1: Բեկորները կհայտնվեն խմբաքանակի վերամշակումից հետո:</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Միավորված</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Բաժանված</translation>
+    </message>
+    <message>
+        <source>No front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դիմերես չկա</translation>
+    </message>
+    <message>
+        <source>This back is to be reshot.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այս դարձերեսը պետք է նորից լուսանկարել:</translation>
+    </message>
+    <message>
+        <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ոչ մի դիմերես այս դարձերեսը չունի: Քաշեք այն իր դիմերեսի վրա, միավորեք մեկ ուրիշի հետ կամ մի կողմ դրեք:</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 և %2 երկուսն էլ համապատասխանում են %3-ին. կոտրվածքները տարբերվում են միայն %4-ով:</translation>
+    </message>
+    <message>
+        <source>%1 would fit %2 almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 գրեթե նույնքան լավ կհամապատասխաներ %2-ին:</translation>
+    </message>
+    <message>
+        <source>%1 fits barely better than an unrelated back.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 հազիվ ավելի լավ է համապատասխանում, քան օտար դարձերեսը:</translation>
+    </message>
+    <message>
+        <source>Ambiguous: a second position fits almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Երկիմաստ. երկրորդ դիրքը գրեթե նույնքան լավ է համապատասխանում:</translation>
+    </message>
+    <message>
+        <source>%1 confident</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վստահություն՝ %1</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ստուգել</translation>
+    </message>
+    <message>
+        <source>No back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դարձերես չկա</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վստահ</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Որոշված</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մի կողմ դրված</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերալուսանկարել</translation>
+    </message>
+    <message>
+        <source>To be reshot, decided by %1 on %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերալուսանկարել, որոշել է %1, %2:</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Փոխարինել չափված արժեքով</translation>
+    </message>
+    <message>
+        <source>Delete computed value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ջնջել հաշվարկված արժեքը</translation>
+    </message>
+    <message>
+        <source>Save this value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Պահել այս արժեքը</translation>
+    </message>
+    <message>
+        <source>%1 (computed %2)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 (հաշվարկված %2)</translation>
     </message>
 </context>
 <context>
@@ -900,16 +927,6 @@
         <numerusform>%n բեկոր, վստահ</numerusform>
         <numerusform>%n բեկոր, բոլորը վստահ</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>a draft: look, then compute it again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>սևագիր. նայեք, ապա նորից հաշվեք</translation>
-    </message>
-    <message>
-      <source>the scale is not right: see the report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մասշտաբը ճիշտ չէ. տե՛ս զեկույցը</translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
@@ -972,46 +989,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2, %3 %</translation>
     </message>
-    <message>
-      <source>being photographed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>լուսանկարվում է</translation>
-    </message>
-    <message>
-      <source>waits for its turn</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>սպասում է հերթին</translation>
-    </message>
-    <message>
-      <source>is being computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հաշվարկվում է</translation>
-    </message>
-    <message>
-      <source>paused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դադարի մեջ է</translation>
-    </message>
-    <message>
-      <source>stopped</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կանգնեցված է</translation>
-    </message>
-    <message>
-      <source>wants your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>պահանջում է ձեր աչքը</translation>
-    </message>
-    <message>
-      <source>done</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ավարտված է</translation>
-    </message>
-    <message>
-      <source>decided; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>որոշված է. մնում է հաշվարկել</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1020,21 +997,6 @@
         <numerusform>%n բեկոր</numerusform>
       </translation>
     </message>
-    <message>
-      <source>sure %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>վստահ %1</translation>
-    </message>
-    <message>
-      <source>decided %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>որոշված %1</translation>
-    </message>
-    <message>
-      <source>ask %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կասկածելի %1</translation>
-    </message>
     <message numerus="yes">
       <source>%1; but %n counted on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1042,11 +1004,6 @@
         <numerusform>%1. սակայն սկավառակի վրա հաշվվել է %n</numerusform>
         <numerusform>%1. սակայն սկավառակի վրա հաշվվել է %n</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>draft, to be computed again; %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>սևագիր, պետք է նորից հաշվել. %1</translation>
     </message>
     <message>
       <source>%1 waits for the draft of %2.</source>
@@ -1064,11 +1021,6 @@
       <translation>Այս խմբաքանակի համար տեսախցիկները նորից գտնվել են. նորից տրամաչափեք սարքակազմը (C)։</translation>
     </message>
     <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մի կողմ է դրված</translation>
-    </message>
-    <message>
       <source>It did not come to its end; compute it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չհասավ ավարտին. հաշվարկեք նորից։</translation>
@@ -1077,19 +1029,6 @@
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք այն մի կողմ եք դրել։ Լուսանկարները պահված են. R-ը նորից է վերցնում։</translation>
-    </message>
-    <message numerus="yes">
-      <source>%1; %n to be photographed again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1. %n՝ նորից լուսանկարելու</numerusform>
-        <numerusform>%1. %n՝ նորից լուսանկարելու</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>masks were mended; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դիմակներն ուղղված են. հաշվարկել</translation>
     </message>
     <message>
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
@@ -1107,6 +1046,94 @@
       <translation>
             <numerusform>%1. %n՝ արդեն նորից լուսանկարված</numerusform>
             <numerusform>%1. %n՝ արդեն նորից լուսանկարված</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մի կողմ դրված</translation>
+    </message>
+    <message>
+        <source>Capturing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարահանվում է</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հերթում</translation>
+    </message>
+    <message>
+        <source>Processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մշակվում է</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դադարեցված</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կանգնած</translation>
+    </message>
+    <message>
+        <source>Needs review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ստուգման ենթակա</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Պատրաստ</translation>
+    </message>
+    <message>
+        <source>Draft: review it, then reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սևագիր. ստուգեք, ապա վերամշակեք</translation>
+    </message>
+    <message>
+        <source>Masks edited: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դիմակները փոխված են. վերամշակեք</translation>
+    </message>
+    <message>
+        <source>Scale in doubt: see the report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մասշտաբը կասկածելի է. տես հաշվետվությունը</translation>
+    </message>
+    <message>
+        <source>Decided: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Որոշված է. վերամշակեք</translation>
+    </message>
+    <message>
+        <source>%1 sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 վստահ</translation>
+    </message>
+    <message>
+        <source>%1 decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 որոշված</translation>
+    </message>
+    <message>
+        <source>%1 to review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ստուգելու</translation>
+    </message>
+    <message>
+        <source>draft, to be reprocessed; %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>սևագիր, վերամշակելու. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n to reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%1; %n վերալուսանկարելու</numerusform>
+            <numerusform>%1; %n վերալուսանկարելու</numerusform>
         </translation>
     </message>
 </context>
@@ -1159,11 +1186,6 @@
       <source>Change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոխել</translation>
-    </message>
-    <message>
-      <source>Give numbers to the drafts</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Համարակալել սևագրերը</translation>
     </message>
     <message>
       <source>Field</source>
@@ -1226,6 +1248,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել և հետ վերցնել</translation>
     </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Համարներ տալ</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Փոխարինել չափված արժեքով</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n արժեք հաստատման կարիք ունի։</numerusform>
+            <numerusform>%n արժեք հաստատման կարիք ունի։</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -1233,16 +1273,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այլ հետևի երես …</translation>
-    </message>
-    <message>
-      <source>rim %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>եզր %1</translation>
-    </message>
-    <message>
-      <source>no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>եզր չկա</translation>
     </message>
     <message>
       <source>%1, with %2</source>
@@ -1266,6 +1296,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ազատ</translation>
     </message>
+    <message>
+        <source>gap %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>բացվածք %1</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>հպում չկա</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1278,16 +1318,6 @@
       <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպելով, կոդ կարդացողով կամ տեսախցիկի տակ դրված տոպրակի պիտակից</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ավելին</translation>
-    </message>
-    <message>
-      <source>Import, another rig, set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծել, այլ սարքակազմ, մի կողմ դնել</translation>
     </message>
 </context>
 <context>
@@ -1309,16 +1339,6 @@
         <numerusform>%1՝ ներմուծվեց %n ֆայլ. հերթում է։</numerusform>
         <numerusform>%1՝ ներմուծվեց %n ֆայլ. հերթում է։</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լավ</translation>
-    </message>
-    <message>
-      <source>The next thing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաջորդ քայլը</translation>
     </message>
     <message>
       <source>Stop the table</source>
@@ -1460,6 +1480,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրանք ճիշտ են</translation>
     </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լավ</translation>
+    </message>
+    <message>
+        <source>The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախկին սարքակազմը մնում է գործածության մեջ:</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հաջորդ քայլը</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1515,11 +1550,6 @@
       <source>No rig yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմ դեռ չկա</translation>
-    </message>
-    <message>
-      <source>The rig is being opened</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սարքակազմը բացվում է</translation>
     </message>
     <message>
       <source>Lay the sherds on the plate</source>
@@ -1612,11 +1642,6 @@
       <translation>Ճիշտ է. դնել հերթի</translation>
     </message>
     <message>
-      <source>Stop %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգառ %1՝ %2-ից</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ վայրկյան</translation>
@@ -1691,11 +1716,6 @@
       <translation>Բեկորների %1 %-ը չափազանց լուսավոր է</translation>
     </message>
     <message>
-      <source>Light is right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լույսը ճիշտ է</translation>
-    </message>
-    <message>
       <source>Read from the label: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կարդացված է պիտակից՝ %1</translation>
@@ -1749,16 +1769,6 @@
       <translation>Դրա բեկորները ստուգման մեջ են (Ctrl+3). նայեք, քանի դեռ այստեղ են</translation>
     </message>
     <message>
-      <source>The table stands still. What is safe is not photographed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սեղանը կանգնած է։ Ինչ պահպանված է, նորից չի լուսանկարվում։</translation>
-    </message>
-    <message>
-      <source>Go on at stop %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շարունակել %1 կանգառից</translation>
-    </message>
-    <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն ընդհատվել է այս կողմի կեսին։</translation>
@@ -1787,6 +1797,61 @@
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. նայեք՝ արդյոք մեկը մասերով է դրված, կամ կա մի բան, որ բեկոր չէ, կամ ուղղեք քանակը։</translation>
+    </message>
+    <message>
+        <source>The rig does not open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սարքակազմը չի բացվում</translation>
+    </message>
+    <message>
+        <source>Taking calibration photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Արվում են չափաբերման լուսանկարներ</translation>
+    </message>
+    <message>
+        <source>The virtual rig turns the sherds over</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վիրտուալ սարքակազմը շրջում է խեցիները</translation>
+    </message>
+    <message>
+        <source>The table stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սեղանը կանգնած է: Պահված լուսանկարները մնում են:</translation>
+    </message>
+    <message>
+        <source>Nothing to do by hand: shoot the backs.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ձեռքով անելիք չկա. լուսանկարեք դարձերեսները:</translation>
+    </message>
+    <message>
+        <source>Resume at position %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Շարունակել %1 դիրքից</translation>
+    </message>
+    <message>
+        <source>Shoot the backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարել դարձերեսները</translation>
+    </message>
+    <message>
+        <source>Calibration photograph %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Չափաբերման լուսանկար %1 / %2</translation>
+    </message>
+    <message>
+        <source>Position %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դիրք %1 / %2</translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սարքակազմը բացվում է</translation>
+    </message>
+    <message>
+        <source>Lighting OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լույսը կարգին է</translation>
     </message>
 </context>
 <context>
@@ -1833,21 +1898,6 @@
       <source>Edit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբագրել</translation>
-    </message>
-    <message>
-      <source>Give numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Համարակալել</translation>
-    </message>
-    <message>
-      <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեռ բեկորներ չկան։ Նրանք ինքնըստինքյան գալիս են, երբ խմբաքանակը հաշվարկվում է. սկսեք նկարահանումից։</translation>
-    </message>
-    <message>
-      <source>No sherd fits. Take a condition away.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի բեկոր չի համապատասխանում։ Հանեք մի պայման։</translation>
     </message>
     <message>
       <source>change %1</source>
@@ -1923,6 +1973,61 @@
       <source>Choose the sherds that are to get numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընտրեք այն բեկորները, որոնք պետք է համար ստանան։</translation>
+    </message>
+    <message>
+        <source>No sherds yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դեռ խեցիներ չկան</translation>
+    </message>
+    <message>
+        <source>Sherds appear here when a batch is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Խեցիները կհայտնվեն այստեղ, երբ խմբաքանակը մշակվի:</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարել խմբաքանակ</translation>
+    </message>
+    <message>
+        <source>No sherds match this filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այս զտիչին համապատասխան խեցի չկա</translation>
+    </message>
+    <message>
+        <source>Remove a condition to see more.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հանեք մի պայման՝ ավելին տեսնելու համար:</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մաքրել զտիչը</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մոդել</translation>
+    </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Համարներ տալ</translation>
+    </message>
+    <message>
+        <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Անվավեր խեցաբեկորը պիտակ, գծագիր կամ տեղ սկավառակի վրա չի ստանում, և դրա համարն այլևս չի տրվում։ %1-ն անվավե՞ր է. «%2»</translation>
+    </message>
+    <message>
+        <source>no number yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>դեռ համար չունի</translation>
+    </message>
+    <message>
+        <source>Yes, it is void</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այո, անվավեր է</translation>
     </message>
 </context>
 <context>
@@ -2230,11 +2335,6 @@
       <translation>Բոլոր բեկորները</translation>
     </message>
     <message>
-      <source>Those that fit this filter:</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս զտիչին համապատասխանողները.</translation>
-    </message>
-    <message>
       <source>Filter of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանվողի զտիչ</translation>
@@ -2245,19 +2345,9 @@
       <translation>համատեքստ:0012</translation>
     </message>
     <message>
-      <source>Forms</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ձևեր</translation>
-    </message>
-    <message>
       <source>Tables (CSV), for spreadsheets</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակներ (CSV)՝ էլեկտրոնային աղյուսակների համար</translation>
-    </message>
-    <message>
-      <source>Records (JSON), to be read back whole</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գրառումներ (JSON)՝ ամբողջությամբ հետ կարդացվող</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2305,11 +2395,6 @@
       <translation>Արտահանման ընթացքը</translation>
     </message>
     <message>
-      <source>Stop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել</translation>
-    </message>
-    <message>
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացել պանակը</translation>
@@ -2318,11 +2403,6 @@
       <source>Where shall the folder be?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որտե՞ղ լինի պանակը։</translation>
-    </message>
-    <message>
-      <source>Those chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կատալոգում ընտրվածները</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2378,11 +2458,6 @@
       <translation>PLY, GLB և OBJ. քիչ եռանկյուններով նիշքերը շատ ավելի փոքր են։ Շեղումը չափվում և գրվում է յուրաքանչյուրում։</translation>
     </message>
     <message>
-      <source>as computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ինչպես հաշվարկվել է</translation>
-    </message>
-    <message>
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>թեթև, մինչև %1 մմ</translation>
@@ -2401,6 +2476,36 @@
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանումն ավարտված չէ, և դրանից ոչինչ չէր մնա։ Դադարեցնելու համար փակեք ևս մեկ անգամ։</translation>
+    </message>
+    <message>
+        <source>Matching the filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Զտիչին համապատասխան</translation>
+    </message>
+    <message>
+        <source>Formats</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ձևաչափեր</translation>
+    </message>
+    <message>
+        <source>Records (JSON), re-importable</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Գրառումներ (JSON), վերաներմուծելի</translation>
+    </message>
+    <message>
+        <source>Full detail</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լրիվ մանրամասնություն</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Չեղարկել</translation>
+    </message>
+    <message>
+        <source>Selected sherds</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ընտրված խեցիներ</translation>
     </message>
 </context>
 <context>
@@ -2452,9 +2557,9 @@
       <translation>Հաշվարկի ընթացքը</translation>
     </message>
     <message>
-      <source>Nothing to compute</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվելու բան չկա</translation>
+        <source>Idle</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Պարապ</translation>
     </message>
 </context>
 <context>
@@ -2649,11 +2754,6 @@
       <translation>ինչու ոչ</translation>
     </message>
     <message>
-      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորների աղյուսակն ունի number կամ uuid սյունակ. համատեքստերինը՝ site, context և, եթե ցանկանում եք, trench և bag։</translation>
-    </message>
-    <message>
       <source>Looking at it …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դիտվում է …</translation>
@@ -2691,6 +2791,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահել մյուս տարբերակները</translation>
     </message>
+    <message>
+        <source>to confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>հաստատել</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Տողեր</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սյունակներ</translation>
+    </message>
+    <message numerus="yes">
+        <source>Columns (%n to check)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Սյունակներ (%n ստուգելու)</numerusform>
+            <numerusform>Սյունակներ (%n ստուգելու)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Խեցաբեկորների աղյուսակն ունի դրանց համարների սյունակ, համատեքստերինը՝ հուշարձանի և համատեքստի սյունակներ։ Անունները կարող են լինել ծրագրի ցանկացած լեզվով։</translation>
+    </message>
+    <message numerus="yes">
+        <source>Confirm %n row(s)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Հաստատել %n տող</numerusform>
+            <numerusform>Հաստատել %n տող</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2727,6 +2863,14 @@
         <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n տող հաստատման կարիք ունի։</numerusform>
+            <numerusform>%n տող հաստատման կարիք ունի։</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2749,11 +2893,6 @@
       <translation>Ostraka</translation>
     </message>
     <message>
-      <source>%1 is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը հաշվարկված է։</translation>
-    </message>
-    <message>
       <source>%1 stopped: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը կանգնեց՝ %2</translation>
@@ -2762,11 +2901,6 @@
       <source>Undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետարկել</translation>
-    </message>
-    <message>
-      <source>Do again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կրկնել</translation>
     </message>
     <message>
       <source>Manual</source>
@@ -2849,11 +2983,6 @@
       <translation>Հետարկել՝ %1</translation>
     </message>
     <message>
-      <source>Do again: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կրկնել՝ %1</translation>
-    </message>
-    <message>
       <source>Copy of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգի պատճեն</translation>
@@ -2873,6 +3002,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս նախագիծը կարելի է միայն կարդալ. դիտեք ամեն ինչ, փոփոխությունները մերժվում են։</translation>
     </message>
+    <message>
+        <source>%1 is ready.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1-ը պատրաստ է:</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կրկնել</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կրկնել. %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
@@ -2887,29 +3031,14 @@
       <translation>Տպել քարտեզն ու պիտակները</translation>
     </message>
     <message>
-      <source>Print map and labels   Ctrl+P</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տպել քարտեզն ու պիտակները   Ctrl+P</translation>
-    </message>
-    <message>
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկոր %1</translation>
     </message>
     <message>
-      <source>No batch is computed yet; its map appears here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեռ ոչ մի խմբաքանակ հաշվարկված չէ. նրա քարտեզը կերևա այստեղ։</translation>
-    </message>
-    <message>
       <source>Map of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի քարտեզ</translation>
-    </message>
-    <message>
-      <source>%1-%2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -2977,6 +3106,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահպանված է՝ %1</translation>
     </message>
+    <message>
+        <source>No map yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դեռ քարտեզ չկա</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ: Մշակումից հետո քարտեզը ցույց կտա, թե որ խեցին որտեղ էր:</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարել խմբաքանակ</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3009,14 +3153,14 @@
       <translation>Ինչ պատահեց</translation>
     </message>
     <message>
-      <source>Leave it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Թողնել</translation>
+        <source>Dismiss</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Փակել</translation>
     </message>
     <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լավ</translation>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լավ</translation>
     </message>
 </context>
 <context>
@@ -3181,24 +3325,9 @@
       <translation>%1-ը մի կողմ դնել</translation>
     </message>
     <message>
-      <source>shooting %1 again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի կրկին նկարում</translation>
-    </message>
-    <message>
       <source>One of the two has no back to be joined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկուսից մեկը միացնելու հետևի երես չունի։</translation>
-    </message>
-    <message>
-      <source>joining %1 and %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի և %2-ի միացում</translation>
-    </message>
-    <message>
-      <source>cutting %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի կտրում</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3264,6 +3393,21 @@
       <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի եզրերը հազիվ են հանդիպում՝ %3-ը։</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1-ի վերալուսանկարում</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1-ի և %2-ի միավորում</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1-ի բաժանում</translation>
     </message>
 </context>
 <context>
@@ -3376,26 +3520,6 @@
       <translation>Դադար</translation>
     </message>
     <message>
-      <source>Compute again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվարկել կրկին</translation>
-    </message>
-    <message>
-      <source>Stop this batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել այս խմբաքանակը</translation>
-    </message>
-    <message>
-      <source>Report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվետվություն</translation>
-    </message>
-    <message>
-      <source>Review it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ստուգել այն</translation>
-    </message>
-    <message>
       <source>Log</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մատյան</translation>
@@ -3416,16 +3540,6 @@
       <translation>Դեռ խմբաքանակ չկա</translation>
     </message>
     <message>
-      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ինչ լուսանկարում կամ ներմուծում եք, հաշվարկվում է այստեղ՝ խմբաքանակ առ խմբաքանակ, մինչ դուք շարունակում եք։</translation>
-    </message>
-    <message>
-      <source>Photograph the first batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարել առաջին խմբաքանակը</translation>
-    </message>
-    <message>
       <source>Queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հերթ</translation>
@@ -3439,39 +3553,9 @@
       </translation>
     </message>
     <message>
-      <source>Go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շարունակել</translation>
-    </message>
-    <message>
       <source>%1 has no report yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը դեռ հաշվետվություն չունի։</translation>
-    </message>
-    <message>
-      <source>Stop %1?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնե՞լ %1-ը։</translation>
-    </message>
-    <message>
-      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվարկվում է ավելի քան մեկ ժամ։ Ավարտված փուլերը պահվում են, ընթացիկը կորչում է։</translation>
-    </message>
-    <message>
-      <source>Stop it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել</translation>
-    </message>
-    <message>
-      <source>Let it go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Թող շարունակի</translation>
-    </message>
-    <message>
-      <source>Mend the masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ուղղել դիմակները</translation>
     </message>
     <message>
       <source>Drafts first</source>
@@ -3479,24 +3563,99 @@
       <translation>Նախ սևագրեր</translation>
     </message>
     <message>
-      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Յուրաքանչյուր նոր խմբաքանակ հաշվում է արագ և կոպիտ, որ նայեք, քանի դեռ բեկորները տեղում են. նորից հաշվելիս դառնում է վերջնական (D)</translation>
-    </message>
-    <message>
-      <source>Calibrate the rig again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նորից տրամաչափել սարքակազմը</translation>
-    </message>
-    <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ է տեղաշարժվել. այս խմբաքանակի լուսանկարները ցույց են տալիս, թե որտեղ են հիմա տեսախցիկները (C)</translation>
     </message>
     <message>
-      <source>Set this batch aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մի կողմ դնել այս խմբաքանակը</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերամշակել</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Չեղարկել</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ցույց տալ հաշվետվությունը</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ստուգել</translation>
+    </message>
+    <message>
+        <source>Edit masks</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Խմբագրել դիմակները</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Բացել</translation>
+    </message>
+    <message>
+        <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ամեն նոր խմբաքանակ մշակում է արագ և կոպիտ՝ ստուգելու, քանի դեռ խեցիները սկուտեղին են. վերամշակումը դարձնում է վերջնական (D)</translation>
+    </message>
+    <message>
+        <source>Recalibrate rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերաչափաբերել</translation>
+    </message>
+    <message>
+        <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարվածն ու ներմուծվածը մշակվում է այստեղ, խմբաքանակ առ խմբաքանակ, մինչ դուք շարունակում եք աշխատել:</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարել խմբաքանակ</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Խմբաքանակ</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Շարունակել</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մի կողմ դնել</translation>
+    </message>
+    <message>
+        <source>Cancel %1?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Չեղարկե՞լ %1-ը</translation>
+    </message>
+    <message>
+        <source>It has been processing for more than an hour. Finished stages are saved; the current one is lost.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մշակվում է ավելի քան մեկ ժամ: Ավարտված փուլերը պահված են, ընթացիկը կկորչի:</translation>
+    </message>
+    <message>
+        <source>Cancel it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Չեղարկել</translation>
+    </message>
+    <message>
+        <source>Keep processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Շարունակել մշակումը</translation>
     </message>
 </context>
 <context>
@@ -3523,11 +3682,6 @@
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգեր, նախ ամենակասկածելիները</translation>
-    </message>
-    <message>
-      <source>This one</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս մեկը</translation>
     </message>
     <message>
       <source>Next pair</source>
@@ -3570,11 +3724,6 @@
       <translation>Հայելի</translation>
     </message>
     <message>
-      <source>Apart</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հեռու</translation>
-    </message>
-    <message>
       <source>Section</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կտրվածք</translation>
@@ -3585,59 +3734,14 @@
       <translation>Չափել</translation>
     </message>
     <message>
-      <source>Rim gap</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրի բացվածք</translation>
-    </message>
-    <message>
       <source>Model</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մոդել</translation>
     </message>
     <message>
-      <source>Settle</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հարմարեցնել</translation>
-    </message>
-    <message>
-      <source>Let the rims settle the position (B)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Թող եզրերը գտնեն դիրքը (B)</translation>
-    </message>
-    <message>
       <source>Set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի կողմ</translation>
-    </message>
-    <message>
-      <source>Shoot again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կրկին նկարել</translation>
-    </message>
-    <message>
-      <source>Cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կտրել</translation>
-    </message>
-    <message>
-      <source>Join</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միացնել</translation>
-    </message>
-    <message>
-      <source>%1 %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>%1, key %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, ստեղն %2</translation>
-    </message>
-    <message>
-      <source>This one   Enter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս մեկը   Enter</translation>
     </message>
     <message>
       <source>The rims are compared … Esc stops.</source>
@@ -3655,26 +3759,6 @@
       <translation>Խմբաքանակի զույգերը</translation>
     </message>
     <message>
-      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միացնել մեկ բեկորի երկու կտոր. հետո ընտրեք մյուս քարտը (J՝ առջև, Shift+J՝ հետև)</translation>
-    </message>
-    <message>
-      <source>Join backs</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միացնել հետևի երեսները</translation>
-    </message>
-    <message>
-      <source>Settle, join and cut nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չհարմարեցնել, չմիացնել և չկտրել</translation>
-    </message>
-    <message>
-      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կտրել կտորը, որն իրականում երկու բեկոր է, նրա նկարի վրայի գծով (K)</translation>
-    </message>
-    <message>
       <source>The rims settle: %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եզրերը համընկնում են՝ %1։ Esc-ը կանգնեցնում է։</translation>
@@ -3683,6 +3767,86 @@
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղմեք բեկորի վրա երկարության մի ծայրին, ապա՝ մյուսին։ D-ն ավարտում է։</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ընդունել</translation>
+    </message>
+    <message>
+        <source>Leave merging and splitting</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դուրս գալ միավորումից և բաժանումից</translation>
+    </message>
+    <message>
+        <source>Refine fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ճշգրտել համադրումը</translation>
+    </message>
+    <message>
+        <source>Refine the position by the fracture surfaces (B)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ճշգրտել դիրքը ըստ կոտրվածքների (B)</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերալուսանկարել</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Տեսք</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Համադրում</translation>
+    </message>
+    <message>
+        <source>Decide</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Որոշել</translation>
+    </message>
+    <message>
+        <source>Explode</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հեռացնել</translation>
+    </message>
+    <message>
+        <source>Fracture gap</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կոտրվածքի բացվածք</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Բաժանել</translation>
+    </message>
+    <message>
+        <source>Split a scan of two sherds along a line over its photograph (K)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Երկու խեցու սկանը բաժանել լուսանկարի վրայի գծով (K)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Միավորել</translation>
+    </message>
+    <message>
+        <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Միավորել մեկ խեցու երկու բեկոր. ապա ընտրել մյուս քարտը (J դիմերեսներ, Shift+J դարձերեսներ)</translation>
+    </message>
+    <message>
+        <source>Merge backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Միավորել դարձերեսները</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -3701,21 +3865,6 @@
       <source>Your initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձեր սկզբնատառերը</translation>
-    </message>
-    <message>
-      <source>Compute what changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվարկել փոխվածը</translation>
-    </message>
-    <message>
-      <source>Makes the models of the pairs that were decided anew</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ստեղծում է նորից որոշված զույգերի մոդելները</translation>
-    </message>
-    <message>
-      <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեռ ոչ մի խմբաքանակ հաշվարկված չէ։ Լուսանկարեք կամ ներմուծեք մեկը. նրա զույգերը կերևան այստեղ։</translation>
     </message>
     <message>
       <source>Opening %1</source>
@@ -3761,11 +3910,6 @@
       <translation>Ստուգում</translation>
     </message>
     <message>
-      <source>Where its report is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեպի նրա հաշվետվությունը</translation>
-    </message>
-    <message>
       <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ոչ մի չափը վստահելի չէ։ %2</translation>
@@ -3786,11 +3930,6 @@
       <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
     </message>
     <message>
-      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը կրկին լուսանկարվել է որպես %2՝ %3-ում, և այժմ մեկ գրառում ավելի ունի. այն կատալոգում անվավեր դարձրեք կամ կտորը այստեղ մի կողմ դրեք։</translation>
-    </message>
-    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ում ոչ մի երկարություն հայտնի չէ. այստեղ ցույց տրված ոչ մի թիվ և երկարություն միլիմետրով չէ։</translation>
@@ -3799,6 +3938,41 @@
       <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է։ Հաշվարկելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիացնի դրանք։</translation>
+    </message>
+    <message>
+        <source>Update changed models</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Թարմացնել փոխված մոդելները</translation>
+    </message>
+    <message>
+        <source>Reprocesses the pairs that were decided differently</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերամշակում է այլ կերպ որոշված զույգերը</translation>
+    </message>
+    <message>
+        <source>No pairs to review yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դեռ ստուգելու զույգեր չկան</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ: Դրա զույգերը կհայտնվեն այստեղ մշակումից հետո:</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարել խմբաքանակ</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ցույց տալ հաշվետվությունը</translation>
+    </message>
+    <message>
+        <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1-ը վերալուսանկարվել է որպես %2 %3-ում և հիմա երկու գրառում ունի: Մեկն անվավեր դարձրեք գրացուցակում կամ բեկորն այստեղ մի կողմ դրեք:</translation>
     </message>
 </context>
 <context>
@@ -3888,6 +4062,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացատ</translation>
     </message>
+    <message>
+        <source>Keep current rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Պահել ընթացիկ սարքակազմը</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
@@ -3925,11 +4104,6 @@
 <context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
-      <source>As the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ինչպես աշխատասեղանը</translation>
-    </message>
-    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաց</translation>
@@ -3960,11 +4134,6 @@
       <translation>Ձեր &amp;սկզբնատառերը</translation>
     </message>
     <message>
-      <source>They stand in the history of each decision.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նրանք նշվում են ամեն որոշման պատմության մեջ։</translation>
-    </message>
-    <message>
       <source>&amp;Theme</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Տեսք</translation>
@@ -3985,11 +4154,6 @@
       <translation>&amp;Լեզու</translation>
     </message>
     <message>
-      <source>Holds from the next start.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գործում է հաջորդ մեկնարկից։</translation>
-    </message>
-    <message>
       <source>&amp;Processors for computing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Պրոցեսորներ հաշվարկի համար</translation>
@@ -4000,9 +4164,24 @@
       <translation>%1 %</translation>
     </message>
     <message>
-      <source>Back to work (Esc)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Վերադառնալ աշխատանքին (Esc)</translation>
+        <source>Follow system</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ըստ համակարգի</translation>
+    </message>
+    <message>
+        <source>Recorded with each decision.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Գրանցվում են ամեն որոշման հետ:</translation>
+    </message>
+    <message>
+        <source>Takes effect after restart.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ուժի մեջ է մտնում վերագործարկումից հետո:</translation>
+    </message>
+    <message>
+        <source>Back to project (Esc)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերադառնալ նախագծին (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4181,19 +4360,19 @@
       <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է։</translation>
     </message>
     <message>
-      <source>Yes, it is void</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այո, անվավեր է</translation>
-    </message>
-    <message>
-      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Անվավեր բեկորը պիտակ, գծանկար կամ աղյուսակում տեղ չի ստանում, և նրա համարն այլևս չի տրվում։ %1 անվավե՞ր է՝ «%2»։</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7-ը հերթական համարն է բեկորի համատեքստում. =7-ը հենց 7 համարն է։</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հաստատել</translation>
+    </message>
+    <message>
+        <source>computed; replaced by the measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>հաշվարկված. փոխարինված է չափված արժեքով</translation>
     </message>
 </context>
 <context>
@@ -4267,6 +4446,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. %2 խմբաքանակի մասշտաբը կասկածելի է. դրա հաշվետվությունն ասում է ինչու և ինչ անել։</translation>
     </message>
+    <message>
+        <source>%1: measured by hand; the computed value is kept beside it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1՝ ձեռքով չափված. հաշվարկված արժեքը պահվում է կողքին։</translation>
+    </message>
+    <message>
+        <source>%1: %2, measured by hand</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1՝ %2, ձեռքով չափված</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
@@ -4299,11 +4488,6 @@
       <translation>&amp;Նախագծեր</translation>
     </message>
     <message>
-      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեռ նախագիծ չկա։ Ստեղծեք մեկը կամ փորձեք ամեն ինչ վիրտուալ սարքակազմով. այն ձեզ համար կոտրում է անոթ և լուսանկարում բեկորները։</translation>
-    </message>
-    <message>
       <source>&amp;Open a project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Բացել նախագիծ…</translation>
@@ -4334,11 +4518,6 @@
       <translation>Ընտրել պանակը</translation>
     </message>
     <message>
-      <source>Make the project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ստեղծել նախագիծը</translation>
-    </message>
-    <message>
       <source>&amp;Name</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Անուն</translation>
@@ -4364,21 +4543,11 @@
       <translation>&amp;Համարակալում</translation>
     </message>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորը կլինի</translation>
-    </message>
-    <message>
       <source>%1
 %2, %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2, %3</translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լավ</translation>
     </message>
     <message>
       <source>Folder of the new project</source>
@@ -4417,6 +4586,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օգնություն</translation>
     </message>
+    <message>
+        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դեռ նախագիծ չկա: Ստեղծեք մեկը կամ ամեն ինչ փորձեք վիրտուալ սարքակազմով. այն կոտրում է մի անոթ և լուսանկարում խեցիները:</translation>
+    </message>
+    <message>
+        <source>Create project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ստեղծել նախագիծ</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Օրինակ</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լավ</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4447,34 +4636,44 @@
       <translation>%1 mm</translation>
     </message>
     <message>
-      <source>front: blue rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>առջև՝ կապույտ եզր</translation>
+        <source>Front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Առջևի երես</translation>
     </message>
     <message>
-      <source>back: red rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հետև՝ կարմիր եզր</translation>
+        <source>Back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հետևի երես</translation>
     </message>
     <message>
-      <source>%1 mm and more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 mm և ավելի</translation>
+        <source>No scale: lengths are not known</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Մասշտաբ չկա. երկարությունները հայտնի չեն</translation>
     </message>
     <message>
-      <source>0 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>0 mm</translation>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>հպում չկա</translation>
     </message>
     <message>
-      <source>gap between the sides along the rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>երեսների միջև բացվածքը եզրի երկայնքով</translation>
+        <source>filled in, not seen by a camera</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>լրացված է, ոչ մի տեսախցիկ չի տեսել</translation>
     </message>
     <message>
-      <source>grey: not met by the other side</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մոխրագույն. մյուս կողմը չի հասնում</translation>
+        <source>Distance between the sides along the fracture</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Երեսների միջև հեռավորությունը կոտրվածքի երկայնքով</translation>
+    </message>
+    <message>
+        <source>front outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>առջևի երեսը դրսում է %1-ով</translation>
+    </message>
+    <message>
+        <source>back outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>հետևի երեսը դրսում է %1-ով</translation>
     </message>
 </context>
 <context>
@@ -4540,14 +4739,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի դիմակները</translation>
     </message>
-    <message numerus="yes">
-      <source>%n photograph(s) mended; what follows from them is computed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n լուսանկար ուղղված է. դրանից բխողը կրկին կհաշվարկվի։</numerusform>
-        <numerusform>%n լուսանկար ուղղված է. դրանցից բխողը կրկին կհաշվարկվի։</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4557,11 +4748,6 @@
       <source>Brush's &amp;width</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վրձնի &amp;լայնությունը</translation>
-    </message>
-    <message>
-      <source>Compute with these</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվարկել սրանցով</translation>
     </message>
     <message>
       <source>Larger</source>
@@ -4584,11 +4770,6 @@
       <translation>Լուսանկար</translation>
     </message>
     <message>
-      <source>Photograph before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նախորդ լուսանկարը</translation>
-    </message>
-    <message>
       <source>Plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակ</translation>
@@ -4599,14 +4780,37 @@
       <translation>Բեկոր</translation>
     </message>
     <message>
-      <source>The photograph is being read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարը կարդացվում է։</translation>
+        <source>Previous photograph</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախորդ լուսանկարը</translation>
     </message>
     <message>
-      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կապույտով ծածկվածը համարվում է բեկոր։ Նկարեք այն, ինչ պակասում է, կամ որպես սկավառակ՝ այն, ինչ ավելորդ է. ծրագրի դիմակները մնում են։</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերամշակել</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վրձին</translation>
+    </message>
+    <message>
+        <source>Loading photograph…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարը բեռնվում է…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) edited. Reprocess to update what follows from them.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Փոխված է %n լուսանկար: Վերամշակեք՝ արդյունքները թարմացնելու համար:</numerusform>
+            <numerusform>Փոխված է %n լուսանկար: Վերամշակեք՝ արդյունքները թարմացնելու համար:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կապույտ՝ դասված է որպես խեցի: Պակասը ներկեք որպես խեցի, սխալը՝ որպես սկուտեղ. ծրագրի դիմակները մնում են:</translation>
     </message>
 </context>
 <context>
@@ -6070,11 +6274,6 @@
       <translation>«%1» եզրով խեցաբեկորներ՝ %2. նախ փոխեք դրանք։</translation>
     </message>
     <message>
-      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կատալոգը վնասված է (%1). վերականգնեք backups պանակի ամենանոր ֆայլը։</translation>
-    </message>
-    <message>
       <source>a row of %1 points at nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի տողը ոչնչի չի հղվում</translation>
@@ -6095,11 +6294,6 @@
       <translation>Պահուստային պատճենը չի պարունակում պահպանվածը. նորից փորձեք։</translation>
     </message>
     <message>
-      <source>The backup cannot be given its name; check the folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահուստային պատճենին անունը չի տրվում. ստուգեք պանակը։</translation>
-    </message>
-    <message>
       <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգը չի բացվում. ստուգեք, որ պանակը կա և դրանում կարելի է գրել։</translation>
@@ -6113,11 +6307,6 @@
       <source>The disk does not answer properly; check it, then open the project again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոշտ սկավառակը պատշաճ չի պատասխանում. ստուգեք այն, ապա նորից բացեք նախագիծը։</translation>
-    </message>
-    <message>
-      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կատալոգը վնասված է. վերականգնեք backups պանակի ամենանոր ֆայլը։</translation>
     </message>
     <message>
       <source>The catalogue does not take this (%1).</source>
@@ -7090,11 +7279,6 @@
       <translation>'%1' սյունակը երկու անգամ կա։</translation>
     </message>
     <message>
-      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աղյուսակին պետք է 'number' սյունակ (բեկորներ) կամ 'site' և 'context' սյունակներ (համատեքստեր)։</translation>
-    </message>
-    <message>
       <source>These places and batches are not written as Ostraka writes them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեղերն ու խմբաքանակները գրված չեն այնպես, ինչպես գրում է Ostraka-ն։</translation>
@@ -7733,11 +7917,6 @@
       <source>Look at the masks, and at whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նայեք դիմակներին, և թե սկավառակի վրա բեկորներ կայի՞ն։</translation>
-    </message>
-    <message>
-      <source>The folder cannot be made (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պանակը ստեղծել հնարավոր չէ (%1)։</translation>
     </message>
     <message>
       <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
@@ -8440,11 +8619,6 @@
       <translation>Սարքակազմին պետք են տեսախցիկ և առնվազն չորս կանգառ. նորից տրամաչափեք այն։</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one for the batch.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պանակում արդեն ֆայլեր կան. խմբաքանակի համար նշեք նորը կամ դատարկը։</translation>
-    </message>
-    <message>
       <source>The virtual camera has no setting %1 of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիրտուալ տեսախցիկը չունի %1 կարգավորում՝ %2 արժեքով։</translation>
@@ -8463,11 +8637,6 @@
       <source>This model is gone; compute its batch again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս մոդելն այլևս չկա. նորից հաշվարկեք նրա խմբաքանակը։</translation>
-    </message>
-    <message>
-      <source>The model cannot be kept here (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մոդելը չի կարող այստեղ պահվել (%1)։</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8689,6 +8858,131 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
     </message>
+    <message>
+      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքի պանակն այլևս չկա. այն տեղափոխվել կամ ջնջվել է, երբ ծրագիրը գրում էր այնտեղ։ Լուսանկարներն անվնաս են. նորից սկսեք նույն հրամանը։</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակում արդեն ֆայլեր կան. նշեք նոր կամ դատարկ պանակ։</translation>
+    </message>
+    <message>
+      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակն առանձին սկավառակ է կամ այն պանակը, որում գտնվում եք. նշեք նոր պանակ դրա մեջ։</translation>
+    </message>
+    <message>
+      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակն անհրաժեշտ է անավարտ ֆայլերի համար, բայց պարունակում է ուրիշները. տեղափոխեք այն։</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի կողմում բաց է թողնվել մի կտոր՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի կողմում բաց է թողնվել մի կտոր՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
+    </message>
+    <message>
+      <source>If it is one, photograph it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եթե բեկոր է, լուսանկարեք այն առանձին։</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կատալոգը վնասված է (%1). ոչինչ չի փոխվել, և ոչ մի պահուստային պատճեն չի ջնջվել։ Վերականգնեք այն «ostraka catalogue repair PROJECT» հրամանով։</translation>
+    </message>
+    <message>
+        <source>a page was changed</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>մի էջ փոխվել է</translation>
+    </message>
+    <message>
+        <source>its pages do not fit together</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>նրա էջերն իրար չեն համապատասխանում</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ֆայլը դատարկ է</translation>
+    </message>
+    <message>
+        <source>the file is not a database</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ֆայլը տվյալների շտեմարան չէ</translation>
+    </message>
+    <message>
+        <source>the file belongs to another program</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ֆայլը պատկանում է այլ ծրագրի</translation>
+    </message>
+    <message>
+        <source>the file holds no catalogue</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ֆայլում կատալոգ չկա</translation>
+    </message>
+    <message>
+        <source>the header contradicts itself</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>գլխագիրը հակասում է ինքն իրեն</translation>
+    </message>
+    <message>
+        <source>it holds no project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>դրանում նախագիծ չկա</translation>
+    </message>
+    <message>
+        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կատալոգը չի կարդացվում. ստուգեք՝ արդյոք այն տեղում է, և դրա թույլտվությունները։</translation>
+    </message>
+    <message>
+        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այս նախագիծը միայն կարդացվում է, և կարդալու պատճենի համար տեղ չկա. տեղ ազատեք ժամանակավոր ֆայլերի պանակում։</translation>
+    </message>
+    <message>
+        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այս նախագիծը ստեղծվել է ավելի հին Ostraka-ով և այստեղ միայն կարդացվում է. պատճենեք այն մի պանակ, որտեղ կարող եք գրել, և բացեք այնտեղ։</translation>
+    </message>
+    <message>
+        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վնասված կատալոգի պատճենը չի գրվում. տեղ ազատեք այս սկավառակում և նորից վերականգնեք։</translation>
+    </message>
+    <message>
+        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերականգնված կատալոգը չի գրվում. տեղ ազատեք այս սկավառակում և նորից վերականգնեք։ Ոչինչ չի փոխվել։</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կատալոգը վնասված է, և դրա ոչ մի պահուստային պատճեն ամբողջական չէ. պատճենեք մեկը backups պանակ՝ արխիվից կամ այլ սկավառակից, և նորից վերականգնեք։</translation>
+    </message>
+    <message>
+        <source>Another program has this project open; close it there, then repair it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այս նախագիծը բացված է մեկ այլ ծրագրում. փակեք այն այնտեղ, ապա վերականգնեք։</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Աղյուսակին պետք է խեցաբեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 տողից մուտքագրված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -8704,6 +8998,107 @@
         <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է՝ %1։ Վերականգնեք այն պատճենից. «ostraka catalogue check»-ը նշում է այն։</numerusform>
         <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է, առաջինը՝ %1։ Վերականգնեք դրանք պատճենից. «ostraka catalogue check»-ը նշում է բոլորը։</numerusform>
       </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ToolRow</name>
+    <message>
+        <source>More</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ավելին</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այլ գործիքներ</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, ստեղն %2</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ColumnTable</name>
+    <message>
+        <source>says nothing about the sherd</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>խեցաբեկորի մասին ոչինչ չի ասում</translation>
+    </message>
+    <message>
+        <source>unit guessed from the values; check it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>միավորը ենթադրվել է արժեքներից. ստուգեք այն</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ըստ անվան</translation>
+    </message>
+    <message>
+        <source>as in the last table with these columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ինչպես այս սյունակներով վերջին աղյուսակում</translation>
+    </message>
+    <message>
+        <source>chosen by you</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ընտրված է ձեր կողմից</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a field of your own</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>այս անունով դաշտ չկա. պահվում է որպես ձեր սեփական դաշտ</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Աղյուսակի սյունակները</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>սյունակ</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>դաշտ</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>միավոր</translation>
+    </message>
+    <message>
+        <source>first values</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>առաջին արժեքները</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>պատճառը</translation>
+    </message>
+    <message>
+        <source>Field of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 սյունակի դաշտը</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>բաց թողնել</translation>
+    </message>
+    <message>
+        <source>own field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>սեփական դաշտ՝ %1</translation>
+    </message>
+    <message>
+        <source>Unit of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 սյունակի միավորը</translation>
     </message>
 </context>
 </TS>

@@ -310,6 +310,13 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>torba %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sherd(s) counted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n parça sayıldı</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -504,19 +511,9 @@
       <translation>Yazdırma ya da dosya tamamlanamadı; disk dolu mu?</translation>
     </message>
     <message>
-      <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ve %2 ikisi de %3 ile uyuyor: kenarları yalnız %4 farklı.</translation>
-    </message>
-    <message>
       <source>%1 and %2 both fit %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ve %2 ikisi de %3 ile uyuyor.</translation>
-    </message>
-    <message>
-      <source>%1 would fit %2 nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2 ile neredeyse aynı ölçüde uyardı.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
@@ -527,16 +524,6 @@
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzü başka bir ön yüze verildi: şimdi doğrusu %1 mi?</translation>
-    </message>
-    <message>
-      <source>%1 fits hardly better than a stranger's back.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, yabancı bir parçanın arka yüzünden pek de iyi uymuyor.</translation>
-    </message>
-    <message>
-      <source>The two sides fit nearly as well in another position.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İki yüz başka bir konumda neredeyse aynı ölçüde uyuyor.</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -589,31 +576,6 @@
       <translation>Kenarlar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
     </message>
     <message>
-      <source>look</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>bakın</translation>
-    </message>
-    <message>
-      <source>no back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>arka yüz yok</translation>
-    </message>
-    <message>
-      <source>sure</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kesin</translation>
-    </message>
-    <message>
-      <source>decided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>karar verildi</translation>
-    </message>
-    <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kenara ayrıldı</translation>
-    </message>
-    <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yeniden çekin</translation>
@@ -629,11 +591,6 @@
       <translation>Arka yüz bulunamadı. Birini seçin ya da parçayı kenara ayırın.</translation>
     </message>
     <message>
-      <source>The program is sure: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Program emin: %1.</translation>
-    </message>
-    <message>
       <source>Decided by %1 on %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kararı veren %1, %2.</translation>
@@ -644,34 +601,14 @@
       <translation>Kenara ayıran %1, %2.</translation>
     </message>
     <message>
-      <source>To be shot again, says %1, %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeniden çekilsin diyen %1, %2.</translation>
-    </message>
-    <message>
       <source>bag %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>torba %1</translation>
     </message>
     <message>
-      <source>no front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ön yüz yok</translation>
-    </message>
-    <message>
       <source>This back is set aside. Drag it onto a front to use it after all.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arka yüz kenara ayrıldı. Yine de kullanmak için bir ön yüzün üzerine sürükleyin.</translation>
-    </message>
-    <message>
-      <source>This back is to be shot again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu arka yüz yeniden çekilecek.</translation>
-    </message>
-    <message>
-      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu arka yüz hiçbir ön yüzde değil. Ön yüzünün üzerine sürükleyin, başka birine ekleyin ya da kenara ayırın.</translation>
     </message>
     <message>
       <source>%1 ?</source>
@@ -694,13 +631,6 @@
       <source>in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>şüpheli</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n parça</numerusform>
-      </translation>
     </message>
     <message>
       <source>Its back %1 was given to %2: is %3 the right one now?</source>
@@ -798,26 +728,6 @@
       <translation>Program %1 diyor, %2.</translation>
     </message>
     <message>
-      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2, %1 ile birleştirdi; parti hesaplanınca tek parça olur.</translation>
-    </message>
-    <message>
-      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ikiye kesti; parçaları parti hesaplanınca gelir.</translation>
-    </message>
-    <message>
-      <source>joined</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>birleştirildi</translation>
-    </message>
-    <message>
-      <source>cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kesildi</translation>
-    </message>
-    <message>
       <source>Sure by what was decided for others: %1; by itself %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diğerleri için verilen kararlardan emin: %1; tek başına %2.</translation>
@@ -854,12 +764,130 @@
             <numerusform>%n parça, eski kontekstte kalan torbasından ayrılıyor: %1.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) keep a number of the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n parça eski konteksten bir numarayı koruyor: %1.</numerusform>
-        </translation>
+    <message>
+        <source>front %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ön yüz %1</translation>
+    </message>
+    <message>
+        <source>back %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>arka yüz %1</translation>
+    </message>
+    <message>
+        <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%2 tarafından %1 ile birleştirildi. Parti yeniden işlenince tek parça olur.</translation>
+    </message>
+    <message>
+        <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 tarafından bölündü. Parçaları parti yeniden işlenince görünür.</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Birleştirildi</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bölündü</translation>
+    </message>
+    <message>
+        <source>No front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ön yüz yok</translation>
+    </message>
+    <message>
+        <source>This back is to be reshot.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu arka yüz yeniden çekilecek.</translation>
+    </message>
+    <message>
+        <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu arka yüz hiçbir ön yüze ait değil. Ön yüzüne sürükleyin, başka biriyle birleştirin ya da bir kenara koyun.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ve %2, %3 ile uyuyor: kırıkları yalnızca %4 farklı.</translation>
+    </message>
+    <message>
+        <source>%1 would fit %2 almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 ile neredeyse aynı ölçüde uyardı.</translation>
+    </message>
+    <message>
+        <source>%1 fits barely better than an unrelated back.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ilgisiz bir arka yüzden ancak biraz daha iyi uyuyor.</translation>
+    </message>
+    <message>
+        <source>Ambiguous: a second position fits almost as well.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Belirsiz: ikinci bir konum neredeyse aynı ölçüde uyuyor.</translation>
+    </message>
+    <message>
+        <source>%1 confident</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Güven: %1</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Denetle</translation>
+    </message>
+    <message>
+        <source>No back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arka yüz yok</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kesin</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Karar verildi</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kenara kondu</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden çek</translation>
+    </message>
+    <message>
+        <source>To be reshot, decided by %1 on %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden çekilecek, karar: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ölçülen değerle değiştir</translation>
+    </message>
+    <message>
+        <source>Delete computed value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Hesaplanan değeri sil</translation>
+    </message>
+    <message>
+        <source>Save this value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu değeri kaydet</translation>
+    </message>
+    <message>
+        <source>%1 (computed %2)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 (hesaplanan %2)</translation>
     </message>
 </context>
 <context>
@@ -891,16 +919,6 @@
       <translation>
         <numerusform>%n parça, hepsi kesin</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>a draft: look, then compute it again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>taslak: bakın, sonra yeniden hesaplayın</translation>
-    </message>
-    <message>
-      <source>the scale is not right: see the report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ölçek doğru değil: rapora bakın</translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
@@ -961,46 +979,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2, %3 %</translation>
     </message>
-    <message>
-      <source>being photographed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fotoğraflanıyor</translation>
-    </message>
-    <message>
-      <source>waits for its turn</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sırasını bekliyor</translation>
-    </message>
-    <message>
-      <source>is being computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>hesaplanıyor</translation>
-    </message>
-    <message>
-      <source>paused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>duraklatıldı</translation>
-    </message>
-    <message>
-      <source>stopped</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>durdu</translation>
-    </message>
-    <message>
-      <source>wants your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>gözünüzü bekliyor</translation>
-    </message>
-    <message>
-      <source>done</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>bitti</translation>
-    </message>
-    <message>
-      <source>decided; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>karar verildi; hesaplanacak</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1008,32 +986,12 @@
         <numerusform>%n parça</numerusform>
       </translation>
     </message>
-    <message>
-      <source>sure %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kesin %1</translation>
-    </message>
-    <message>
-      <source>decided %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kararlı %1</translation>
-    </message>
-    <message>
-      <source>ask %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kuşkulu %1</translation>
-    </message>
     <message numerus="yes">
       <source>%1; but %n counted on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
         <numerusform>%1; ama tablada %n sayıldı</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>draft, to be computed again; %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>taslak, yeniden hesaplanacak; %1</translation>
     </message>
     <message>
       <source>%1 waits for the draft of %2.</source>
@@ -1051,11 +1009,6 @@
       <translation>Bu parti için kameralar yeniden bulundu; düzeneği yeniden ayarlayın (C).</translation>
     </message>
     <message>
-      <source>set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kenara konuldu</translation>
-    </message>
-    <message>
       <source>It did not come to its end; compute it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sonuna varmadı; yeniden hesaplayın.</translation>
@@ -1064,18 +1017,6 @@
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenara koydunuz. Fotoğrafları duruyor; R onu yeniden ele alır.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%1; %n to be photographed again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1; %n yeniden fotoğraflanacak</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>masks were mended; to be computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>maskeler düzeltildi; hesaplanacak</translation>
     </message>
     <message>
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
@@ -1092,6 +1033,93 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
             <numerusform>%1; %n o zamandan beri yeniden fotoğraflandı</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kenara kondu</translation>
+    </message>
+    <message>
+        <source>Capturing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Çekiliyor</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sırada</translation>
+    </message>
+    <message>
+        <source>Processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İşleniyor</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Duraklatıldı</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Durdu</translation>
+    </message>
+    <message>
+        <source>Needs review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Gözden geçirilecek</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tamam</translation>
+    </message>
+    <message>
+        <source>Draft: review it, then reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Taslak: gözden geçirin, sonra yeniden işleyin</translation>
+    </message>
+    <message>
+        <source>Masks edited: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Maskeler düzenlendi: yeniden işleyin</translation>
+    </message>
+    <message>
+        <source>Scale in doubt: see the report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ölçek kuşkulu: rapora bakın</translation>
+    </message>
+    <message>
+        <source>Decided: reprocess it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Karar verildi: yeniden işleyin</translation>
+    </message>
+    <message>
+        <source>%1 sure</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 kesin</translation>
+    </message>
+    <message>
+        <source>%1 decided</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 karar verildi</translation>
+    </message>
+    <message>
+        <source>%1 to review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 gözden geçirilecek</translation>
+    </message>
+    <message>
+        <source>draft, to be reprocessed; %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>taslak, yeniden işlenecek; %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n to reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%1; %n yeniden çekilecek</numerusform>
         </translation>
     </message>
 </context>
@@ -1144,11 +1172,6 @@
       <source>Change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değiştir</translation>
-    </message>
-    <message>
-      <source>Give numbers to the drafts</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Taslaklara numara ver</translation>
     </message>
     <message>
       <source>Field</source>
@@ -1209,6 +1232,23 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durdur ve geri al</translation>
     </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Numara ver</translation>
+    </message>
+    <message>
+        <source>Replace with measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ölçülen değerle değiştir</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n değer onay istiyor.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -1216,16 +1256,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka arka yüz …</translation>
-    </message>
-    <message>
-      <source>rim %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kenar %1</translation>
-    </message>
-    <message>
-      <source>no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kenar yok</translation>
     </message>
     <message>
       <source>%1, with %2</source>
@@ -1249,6 +1279,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, boşta</translation>
     </message>
+    <message>
+        <source>gap %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>aralık %1</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>temas yok</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1261,16 +1301,6 @@
       <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yazarak, kod okuyucuyla ya da kameranın altına konan torba etiketinden</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Daha</translation>
-    </message>
-    <message>
-      <source>Import, another rig, set aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al, başka düzenek, kenara koy</translation>
     </message>
 </context>
 <context>
@@ -1291,16 +1321,6 @@
       <translation>
         <numerusform>%1: %n dosya alındı; sırada.</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tamam</translation>
-    </message>
-    <message>
-      <source>The next thing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sonraki iş</translation>
     </message>
     <message>
       <source>Stop the table</source>
@@ -1442,6 +1462,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Doğrular</translation>
     </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tamam</translation>
+    </message>
+    <message>
+        <source>The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Önceki düzenek kullanımda kalıyor.</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sonraki adım</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1496,11 +1531,6 @@
       <source>No rig yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz düzenek yok</translation>
-    </message>
-    <message>
-      <source>The rig is being opened</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Düzenek açılıyor</translation>
     </message>
     <message>
       <source>Lay the sherds on the plate</source>
@@ -1593,11 +1623,6 @@
       <translation>Doğru: sıraya al</translation>
     </message>
     <message>
-      <source>Stop %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durak %1 / %2</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir saniye</translation>
@@ -1669,11 +1694,6 @@
       <translation>Parçaların %1 kadarı (yüzde) çok parlak</translation>
     </message>
     <message>
-      <source>Light is right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Işık uygun</translation>
-    </message>
-    <message>
       <source>Read from the label: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Etiketten okundu: %1</translation>
@@ -1726,16 +1746,6 @@
       <translation>Parçaları incelemede (Ctrl+3): hâlâ buradayken bakın</translation>
     </message>
     <message>
-      <source>The table stands still. What is safe is not photographed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tabla duruyor. Güvende olanlar yeniden fotoğraflanmaz.</translation>
-    </message>
-    <message>
-      <source>Go on at stop %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. duraktan devam et</translation>
-    </message>
-    <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bu yüzün ortasında kesildi.</translation>
@@ -1764,6 +1774,61 @@
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: parçalar hâlinde duran biri ya da parça olmayan bir şey var mı bakın veya sayıyı düzeltin.</translation>
+    </message>
+    <message>
+        <source>The rig does not open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Düzenek açılmıyor</translation>
+    </message>
+    <message>
+        <source>Taking calibration photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kalibrasyon fotoğrafları çekiliyor</translation>
+    </message>
+    <message>
+        <source>The virtual rig turns the sherds over</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sanal düzenek parçaları çeviriyor</translation>
+    </message>
+    <message>
+        <source>The table stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tabla duruyor. Kaydedilen fotoğraflar korunur.</translation>
+    </message>
+    <message>
+        <source>Nothing to do by hand: shoot the backs.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Elle yapılacak bir şey yok: arka yüzleri çekin.</translation>
+    </message>
+    <message>
+        <source>Resume at position %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1. konumdan sürdür</translation>
+    </message>
+    <message>
+        <source>Shoot the backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arka yüzleri çek</translation>
+    </message>
+    <message>
+        <source>Calibration photograph %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kalibrasyon fotoğrafı %1 / %2</translation>
+    </message>
+    <message>
+        <source>Position %1 of %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Konum %1 / %2</translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Düzenek açılıyor</translation>
+    </message>
+    <message>
+        <source>Lighting OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Işık uygun</translation>
     </message>
 </context>
 <context>
@@ -1809,21 +1874,6 @@
       <source>Edit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenle</translation>
-    </message>
-    <message>
-      <source>Give numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numara ver</translation>
-    </message>
-    <message>
-      <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz parça yok. Bir parti hesaplanınca kendiliğinden gelirler; Çekim ile başlayın.</translation>
-    </message>
-    <message>
-      <source>No sherd fits. Take a condition away.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir parça uymuyor. Bir koşulu kaldırın.</translation>
     </message>
     <message>
       <source>change %1</source>
@@ -1899,6 +1949,61 @@
       <source>Choose the sherds that are to get numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara alacak parçaları seçin.</translation>
+    </message>
+    <message>
+        <source>No sherds yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Henüz parça yok</translation>
+    </message>
+    <message>
+        <source>Sherds appear here when a batch is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bir parti işlenince parçalar burada görünür.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti çek</translation>
+    </message>
+    <message>
+        <source>No sherds match this filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu süzgece uyan parça yok</translation>
+    </message>
+    <message>
+        <source>Remove a condition to see more.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Daha fazlası için bir koşulu kaldırın.</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Süzgeci temizle</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Assign numbers</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Numara ver</translation>
+    </message>
+    <message>
+        <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Geçersiz bir parçaya etiket, çizim ya da tablada yer verilmez ve numarası bir daha kullanılmaz. %1 geçersiz mi: “%2”?</translation>
+    </message>
+    <message>
+        <source>no number yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>henüz numarasız</translation>
+    </message>
+    <message>
+        <source>Yes, it is void</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Evet, geçersiz</translation>
     </message>
 </context>
 <context>
@@ -2199,11 +2304,6 @@
       <translation>Bütün parçalar</translation>
     </message>
     <message>
-      <source>Those that fit this filter:</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu süzgece uyanlar:</translation>
-    </message>
-    <message>
       <source>Filter of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarılanların süzgeci</translation>
@@ -2214,19 +2314,9 @@
       <translation>kontekst:0012</translation>
     </message>
     <message>
-      <source>Forms</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Biçimler</translation>
-    </message>
-    <message>
       <source>Tables (CSV), for spreadsheets</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablolar (CSV), hesap çizelgeleri için</translation>
-    </message>
-    <message>
-      <source>Records (JSON), to be read back whole</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kayıtlar (JSON), bütünüyle geri okunabilir</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2274,11 +2364,6 @@
       <translation>Dışa aktarmanın ilerlemesi</translation>
     </message>
     <message>
-      <source>Stop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durdur</translation>
-    </message>
-    <message>
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasörü aç</translation>
@@ -2287,11 +2372,6 @@
       <source>Where shall the folder be?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör nerede olsun?</translation>
-    </message>
-    <message>
-      <source>Those chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Katalogda seçilenler</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2346,11 +2426,6 @@
       <translation>PLY, GLB ve OBJ için: daha az üçgenle dosyalar çok daha küçüktür. Sapmaları ölçülür ve her birine yazılır.</translation>
     </message>
     <message>
-      <source>as computed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>hesaplandığı gibi</translation>
-    </message>
-    <message>
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>daha hafif, %1 mm’ye kadar</translation>
@@ -2369,6 +2444,36 @@
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarma bitmedi ve ondan hiçbir şey kalmazdı. Durdurmak için bir kez daha kapatın.</translation>
+    </message>
+    <message>
+        <source>Matching the filter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Süzgece uyanlar</translation>
+    </message>
+    <message>
+        <source>Formats</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Biçimler</translation>
+    </message>
+    <message>
+        <source>Records (JSON), re-importable</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kayıtlar (JSON), yeniden içe aktarılabilir</translation>
+    </message>
+    <message>
+        <source>Full detail</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tam ayrıntı</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>Selected sherds</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Seçilen parçalar</translation>
     </message>
 </context>
 <context>
@@ -2419,9 +2524,9 @@
       <translation>Hesabın ilerlemesi</translation>
     </message>
     <message>
-      <source>Nothing to compute</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hesaplanacak bir şey yok</translation>
+        <source>Idle</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Boşta</translation>
     </message>
 </context>
 <context>
@@ -2615,11 +2720,6 @@
       <translation>neden olmaz</translation>
     </message>
     <message>
-      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parça tablosunda number ya da uuid sütunu vardır; kontekst tablosunda site, context ve isterseniz trench ile bag.</translation>
-    </message>
-    <message>
       <source>Looking at it …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bakılıyor …</translation>
@@ -2656,6 +2756,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Öteki sürümleri sakla</translation>
     </message>
+    <message>
+        <source>to confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>onaylanacak</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Satırlar</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sütunlar</translation>
+    </message>
+    <message numerus="yes">
+        <source>Columns (%n to check)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Sütunlar (%n denetlenecek)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parça tablosunda numaraların sütunu, kontekst tablosunda alan ve kontekst sütunları bulunur. Adları programın herhangi bir dilinde olabilir.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Confirm %n row(s)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n satırı onayla</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2691,6 +2825,13 @@
         <numerusform>Durduruldu: %n satır girilmedi. Kalanı için tabloyu yeniden alın.</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) ask for a confirmation.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n satır onay istiyor.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2713,11 +2854,6 @@
       <translation>Ostraka</translation>
     </message>
     <message>
-      <source>%1 is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hesaplandı.</translation>
-    </message>
-    <message>
       <source>%1 stopped: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 durdu: %2</translation>
@@ -2726,11 +2862,6 @@
       <source>Undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri al</translation>
-    </message>
-    <message>
-      <source>Do again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yinele</translation>
     </message>
     <message>
       <source>Manual</source>
@@ -2813,11 +2944,6 @@
       <translation>Geri al: %1</translation>
     </message>
     <message>
-      <source>Do again: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yinele: %1</translation>
-    </message>
-    <message>
       <source>Copy of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kataloğun kopyası</translation>
@@ -2837,6 +2963,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
     </message>
+    <message>
+        <source>%1 is ready.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 hazır.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yinele</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yinele: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
@@ -2851,29 +2992,14 @@
       <translation>Plan ve etiket yazdır</translation>
     </message>
     <message>
-      <source>Print map and labels   Ctrl+P</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plan ve etiket yazdır   Ctrl+P</translation>
-    </message>
-    <message>
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parça %1</translation>
     </message>
     <message>
-      <source>No batch is computed yet; its map appears here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz hesaplanmış parti yok; planı burada görünür.</translation>
-    </message>
-    <message>
       <source>Map of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 planı</translation>
-    </message>
-    <message>
-      <source>%1-%2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -2939,6 +3065,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi: %1</translation>
     </message>
+    <message>
+        <source>No map yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Henüz harita yok</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bir parti çekin ya da içe aktarın. İşlenince haritası hangi parçanın nerede durduğunu gösterir.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti çek</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -2971,14 +3112,14 @@
       <translation>Ne oldu</translation>
     </message>
     <message>
-      <source>Leave it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bırak</translation>
+        <source>Dismiss</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kapat</translation>
     </message>
     <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tamam</translation>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tamam</translation>
     </message>
 </context>
 <context>
@@ -3143,24 +3284,9 @@
       <translation>%1 kenara ayırma</translation>
     </message>
     <message>
-      <source>shooting %1 again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 yeniden çekimi</translation>
-    </message>
-    <message>
       <source>One of the two has no back to be joined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
-    </message>
-    <message>
-      <source>joining %1 and %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ve %2 birleştirme</translation>
-    </message>
-    <message>
-      <source>cutting %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 kesme</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3226,6 +3352,21 @@
       <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Adınızla kaydedildi; ama %1 ile %2 kenarları pek buluşmuyor: buluşan pay %3.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 yeniden çekimi</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ve %2 birleştirme</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 bölme</translation>
     </message>
 </context>
 <context>
@@ -3337,26 +3478,6 @@
       <translation>Duraklat</translation>
     </message>
     <message>
-      <source>Compute again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeniden hesapla</translation>
-    </message>
-    <message>
-      <source>Stop this batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partiyi durdur</translation>
-    </message>
-    <message>
-      <source>Report</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rapor</translation>
-    </message>
-    <message>
-      <source>Review it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İncele</translation>
-    </message>
-    <message>
       <source>Log</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Günlük</translation>
@@ -3377,16 +3498,6 @@
       <translation>Henüz parti yok</translation>
     </message>
     <message>
-      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Çektiğiniz ya da aldığınız her şey, siz çalışırken parti parti burada hesaplanır.</translation>
-    </message>
-    <message>
-      <source>Photograph the first batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İlk partiyi çek</translation>
-    </message>
-    <message>
       <source>Queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sıra</translation>
@@ -3399,39 +3510,9 @@
       </translation>
     </message>
     <message>
-      <source>Go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sürdür</translation>
-    </message>
-    <message>
       <source>%1 has no report yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 için henüz rapor yok.</translation>
-    </message>
-    <message>
-      <source>Stop %1?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 durdurulsun mu?</translation>
-    </message>
-    <message>
-      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir saatten uzun süredir hesaplanıyor. Biten aşamalar kalır, şimdiki yitirilir.</translation>
-    </message>
-    <message>
-      <source>Stop it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durdur</translation>
-    </message>
-    <message>
-      <source>Let it go on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sürsün</translation>
-    </message>
-    <message>
-      <source>Mend the masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Maskeleri düzelt</translation>
     </message>
     <message>
       <source>Drafts first</source>
@@ -3439,24 +3520,99 @@
       <translation>Önce taslaklar</translation>
     </message>
     <message>
-      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Her yeni partiyi hızlı ve kaba hesaplar; parçalar hâlâ oradayken bakılabilsin diye. Yeniden hesaplanınca kesinleşir (D)</translation>
-    </message>
-    <message>
-      <source>Calibrate the rig again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Düzeneği yeniden ayarla</translation>
-    </message>
-    <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kameraya çarpılmış: bu partinin fotoğrafları kameraların şimdi nerede olduğunu söylüyor (C)</translation>
     </message>
     <message>
-      <source>Set this batch aside</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partiyi kenara koy</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden işle</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Raporu göster</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Gözden geçir</translation>
+    </message>
+    <message>
+        <source>Edit masks</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Maskeleri düzenle</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Aç</translation>
+    </message>
+    <message>
+        <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Her yeni partiyi parçalar hâlâ tabladayken denetlemek için hızlı ve kaba işler; yeniden işlenince kesinleşir (D)</translation>
+    </message>
+    <message>
+        <source>Recalibrate rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden kalibre et</translation>
+    </message>
+    <message>
+        <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Çektikleriniz ve içe aktardıklarınız, siz çalışırken burada parti parti işlenir.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti çek</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sürdür</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kenara koy</translation>
+    </message>
+    <message>
+        <source>Cancel %1?</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 iptal edilsin mi?</translation>
+    </message>
+    <message>
+        <source>It has been processing for more than an hour. Finished stages are saved; the current one is lost.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bir saatten uzun süredir işleniyor. Biten aşamalar kayıtlı; süren aşama yitirilir.</translation>
+    </message>
+    <message>
+        <source>Cancel it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İptal et</translation>
+    </message>
+    <message>
+        <source>Keep processing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İşlemeyi sürdür</translation>
     </message>
 </context>
 <context>
@@ -3483,11 +3639,6 @@
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eşler, en kuşkulular önce</translation>
-    </message>
-    <message>
-      <source>This one</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu</translation>
     </message>
     <message>
       <source>Next pair</source>
@@ -3530,11 +3681,6 @@
       <translation>Aynala</translation>
     </message>
     <message>
-      <source>Apart</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayır</translation>
-    </message>
-    <message>
       <source>Section</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kesit</translation>
@@ -3545,59 +3691,14 @@
       <translation>Ölç</translation>
     </message>
     <message>
-      <source>Rim gap</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar aralığı</translation>
-    </message>
-    <message>
       <source>Model</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Model</translation>
     </message>
     <message>
-      <source>Settle</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Oturt</translation>
-    </message>
-    <message>
-      <source>Let the rims settle the position (B)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Konumu kenarlar bulsun (B)</translation>
-    </message>
-    <message>
       <source>Set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenara ayır</translation>
-    </message>
-    <message>
-      <source>Shoot again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeniden çek</translation>
-    </message>
-    <message>
-      <source>Cut</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kes</translation>
-    </message>
-    <message>
-      <source>Join</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Birleştir</translation>
-    </message>
-    <message>
-      <source>%1 %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>%1, key %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, tuş %2</translation>
-    </message>
-    <message>
-      <source>This one   Enter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu   Enter</translation>
     </message>
     <message>
       <source>The rims are compared … Esc stops.</source>
@@ -3615,26 +3716,6 @@
       <translation>Partinin eşleri</translation>
     </message>
     <message>
-      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir parçanın iki kırığını birleştirin: sonra öteki kartı seçin (J ön yüzler, Shift+J arka yüzler)</translation>
-    </message>
-    <message>
-      <source>Join backs</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzleri birleştir</translation>
-    </message>
-    <message>
-      <source>Settle, join and cut nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir şeyi oturtma, birleştirme veya kesme</translation>
-    </message>
-    <message>
-      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aslında iki parça olan bir parçayı resminin üzerindeki çizgi boyunca kes (K)</translation>
-    </message>
-    <message>
       <source>The rims settle: %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenarlar oturuyor: %1. Esc durdurur.</translation>
@@ -3643,6 +3724,86 @@
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçanın üzerinde uzunluğun bir ucuna, sonra öbür ucuna tıklayın. D bitirir.</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kabul et</translation>
+    </message>
+    <message>
+        <source>Leave merging and splitting</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Birleştirme ve bölmeden çık</translation>
+    </message>
+    <message>
+        <source>Refine fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Uyumu iyileştir</translation>
+    </message>
+    <message>
+        <source>Refine the position by the fracture surfaces (B)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Konumu kırık yüzeylerine göre iyileştir (B)</translation>
+    </message>
+    <message>
+        <source>Reshoot</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden çek</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Görünüm</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Uyum</translation>
+    </message>
+    <message>
+        <source>Decide</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Karar</translation>
+    </message>
+    <message>
+        <source>Explode</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ayır</translation>
+    </message>
+    <message>
+        <source>Fracture gap</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kırık aralığı</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Böl</translation>
+    </message>
+    <message>
+        <source>Split a scan of two sherds along a line over its photograph (K)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İki parçanın taramasını fotoğrafındaki bir çizgi boyunca böl (K)</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Birleştir</translation>
+    </message>
+    <message>
+        <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bir parçanın iki kırığını birleştir: sonra öbür kartı seçin (J ön yüzler, Shift+J arka yüzler)</translation>
+    </message>
+    <message>
+        <source>Merge backs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arka yüzleri birleştir</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -3661,21 +3822,6 @@
       <source>Your initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Adınızın baş harfleri</translation>
-    </message>
-    <message>
-      <source>Compute what changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Değişenleri hesapla</translation>
-    </message>
-    <message>
-      <source>Makes the models of the pairs that were decided anew</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeniden karar verilen eşlerin modellerini yapar</translation>
-    </message>
-    <message>
-      <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz hesaplanmış parti yok. Bir tane çekin ya da alın; eşleri burada görünür.</translation>
     </message>
     <message>
       <source>Opening %1</source>
@@ -3720,11 +3866,6 @@
       <translation>İnceleme</translation>
     </message>
     <message>
-      <source>Where its report is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Raporuna git</translation>
-    </message>
-    <message>
       <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisinin hiçbir ölçüsü kesin değil. %2</translation>
@@ -3745,11 +3886,6 @@
       <translation>Kaydedildi. Hesaplanınca birleşen parça %1 numarasını korur, %2 ise parçasız kalır. Geri alma onları yeniden ayırır.</translation>
     </message>
     <message>
-      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi fazladan bir kaydı var: onu katalogda geçersiz kılın ya da parçayı burada bir kenara koyun.</translation>
-    </message>
-    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 üzerinde bilinen bir uzunluk yok: burada gösterilen hiçbir sayı ve uzunluk milimetre değildir.</translation>
@@ -3758,6 +3894,41 @@
       <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi. Hesaplanınca %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
+    </message>
+    <message>
+        <source>Update changed models</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Değişen modelleri güncelle</translation>
+    </message>
+    <message>
+        <source>Reprocesses the pairs that were decided differently</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Farklı karar verilen çiftleri yeniden işler</translation>
+    </message>
+    <message>
+        <source>No pairs to review yet</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Henüz gözden geçirilecek çift yok</translation>
+    </message>
+    <message>
+        <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bir parti çekin ya da içe aktarın. Çiftleri işlenince burada görünür.</translation>
+    </message>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti çek</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Raporu göster</translation>
+    </message>
+    <message>
+        <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi iki kaydı var. Katalogda birini geçersiz kılın ya da parçayı burada kenara koyun.</translation>
     </message>
 </context>
 <context>
@@ -3847,6 +4018,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boşluk</translation>
     </message>
+    <message>
+        <source>Keep current rig</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Geçerli düzeneği koru</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
@@ -3884,11 +4060,6 @@
 <context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
-      <source>As the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaüstü gibi</translation>
-    </message>
-    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açık</translation>
@@ -3919,11 +4090,6 @@
       <translation>&amp;Baş harfleriniz</translation>
     </message>
     <message>
-      <source>They stand in the history of each decision.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Her kararın geçmişinde yer alırlar.</translation>
-    </message>
-    <message>
       <source>&amp;Theme</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Tema</translation>
@@ -3944,11 +4110,6 @@
       <translation>&amp;Dil</translation>
     </message>
     <message>
-      <source>Holds from the next start.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sonraki açılışta geçerli olur.</translation>
-    </message>
-    <message>
       <source>&amp;Processors for computing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hesap için &amp;işlemciler</translation>
@@ -3959,9 +4120,24 @@
       <translation>%1 %</translation>
     </message>
     <message>
-      <source>Back to work (Esc)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İşe dön (Esc)</translation>
+        <source>Follow system</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sistemi izle</translation>
+    </message>
+    <message>
+        <source>Recorded with each decision.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Her kararla birlikte kaydedilir.</translation>
+    </message>
+    <message>
+        <source>Takes effect after restart.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden başlatınca geçerli olur.</translation>
+    </message>
+    <message>
+        <source>Back to project (Esc)</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Projeye dön (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4140,19 +4316,19 @@
       <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder.</translation>
     </message>
     <message>
-      <source>Yes, it is void</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Evet, geçersiz</translation>
-    </message>
-    <message>
-      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geçersiz bir parça etiket, çizim ya da levhada yer almaz ve numarası bir daha verilmez. %1 geçersiz mi: “%2”?</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, parçanın kontekstindeki sıra numarasıdır; =7 ise 7 numarasının kendisidir.</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Onayla</translation>
+    </message>
+    <message>
+        <source>computed; replaced by the measured value</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>hesaplanan; yerini ölçülen değer aldı</translation>
     </message>
 </context>
 <context>
@@ -4224,6 +4400,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 partisinin ölçeği şüpheli; raporu nedenini ve ne yapılacağını söyler.</translation>
     </message>
+    <message>
+        <source>%1: measured by hand; the computed value is kept beside it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: elle ölçüldü; hesaplanan değer yanında tutuluyor.</translation>
+    </message>
+    <message>
+        <source>%1: %2, measured by hand</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: %2, elle ölçüldü</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
@@ -4256,11 +4442,6 @@
       <translation>&amp;Projeler</translation>
     </message>
     <message>
-      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz proje yok. Bir tane yapın ya da her şeyi sanal düzenekle deneyin: sizin için bir kap kırar ve parçalarını fotoğraflar.</translation>
-    </message>
-    <message>
       <source>&amp;Open a project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Proje &amp;aç…</translation>
@@ -4291,11 +4472,6 @@
       <translation>Klasörü seç</translation>
     </message>
     <message>
-      <source>Make the project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Projeyi oluştur</translation>
-    </message>
-    <message>
       <source>&amp;Name</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>A&amp;d</translation>
@@ -4321,21 +4497,11 @@
       <translation>N&amp;umaralama</translation>
     </message>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir parça şöyle olur:</translation>
-    </message>
-    <message>
       <source>%1
 %2, %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2, %3</translation>
-    </message>
-    <message>
-      <source>All right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tamam</translation>
     </message>
     <message>
       <source>Folder of the new project</source>
@@ -4374,6 +4540,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yardım</translation>
     </message>
+    <message>
+        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Henüz proje yok. Bir tane oluşturun ya da her şeyi sanal düzenekle deneyin: bir kabı kırar ve parçalarını çeker.</translation>
+    </message>
+    <message>
+        <source>Create project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Proje oluştur</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Örnek</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tamam</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4404,34 +4590,44 @@
       <translation>%1 mm</translation>
     </message>
     <message>
-      <source>front: blue rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ön: mavi kenar</translation>
+        <source>Front</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ön yüz</translation>
     </message>
     <message>
-      <source>back: red rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>arka: kırmızı kenar</translation>
+        <source>Back</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arka yüz</translation>
     </message>
     <message>
-      <source>%1 mm and more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 mm ve üstü</translation>
+        <source>No scale: lengths are not known</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ölçek yok: uzunluklar bilinmiyor</translation>
     </message>
     <message>
-      <source>0 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>0 mm</translation>
+        <source>no contact</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>temas yok</translation>
     </message>
     <message>
-      <source>gap between the sides along the rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>yüzler arasında kenar boyunca aralık</translation>
+        <source>filled in, not seen by a camera</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>dolduruldu, hiçbir kamera görmedi</translation>
     </message>
     <message>
-      <source>grey: not met by the other side</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>gri: öteki yüz buraya değmiyor</translation>
+        <source>Distance between the sides along the fracture</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Kırık boyunca yüzler arası uzaklık</translation>
+    </message>
+    <message>
+        <source>front outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ön yüz %1 dışarıda</translation>
+    </message>
+    <message>
+        <source>back outside by %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>arka yüz %1 dışarıda</translation>
     </message>
 </context>
 <context>
@@ -4497,13 +4693,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 maskeleri</translation>
     </message>
-    <message numerus="yes">
-      <source>%n photograph(s) mended; what follows from them is computed again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fotoğraf düzeltildi; ondan çıkanlar yeniden hesaplanır.</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4513,11 +4702,6 @@
       <source>Brush's &amp;width</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fırça &amp;genişliği</translation>
-    </message>
-    <message>
-      <source>Compute with these</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bunlarla hesapla</translation>
     </message>
     <message>
       <source>Larger</source>
@@ -4540,11 +4724,6 @@
       <translation>Fotoğraf</translation>
     </message>
     <message>
-      <source>Photograph before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önceki fotoğraf</translation>
-    </message>
-    <message>
       <source>Plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabla</translation>
@@ -4555,14 +4734,36 @@
       <translation>Parça</translation>
     </message>
     <message>
-      <source>The photograph is being read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğraf okunuyor.</translation>
+        <source>Previous photograph</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Önceki fotoğraf</translation>
     </message>
     <message>
-      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mavi örtülü olan yer parça sayılır. Eksik olanı boyayın ya da fazla olanı tabla olarak boyayın; programın kendi maskeleri kalır.</translation>
+        <source>Reprocess</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Yeniden işle</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fırça</translation>
+    </message>
+    <message>
+        <source>Loading photograph…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotoğraf yükleniyor…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) edited. Reprocess to update what follows from them.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n fotoğraf düzenlendi. Sonuçları güncellemek için yeniden işleyin.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mavi: parça olarak sınıflandı. Eksikleri parça, yanlışları tabla olarak boyayın; programın maskeleri kalır.</translation>
     </message>
 </context>
 <context>
@@ -6025,11 +6226,6 @@
       <translation>“%1” terimini taşıyan parçalar: %2; önce onları değiştirin.</translation>
     </message>
     <message>
-      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Katalog bozuk (%1); backups klasöründeki en yeni dosyayı geri koyun.</translation>
-    </message>
-    <message>
       <source>a row of %1 points at nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir %1 satırı hiçbir şeyi göstermiyor</translation>
@@ -6050,11 +6246,6 @@
       <translation>Yedek, kaydedileni içermiyor; yeniden deneyin.</translation>
     </message>
     <message>
-      <source>The backup cannot be given its name; check the folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yedeğe adı verilemiyor; klasörü denetleyin.</translation>
-    </message>
-    <message>
       <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog açılamıyor; klasörün var ve yazılabilir olduğunu denetleyin.</translation>
@@ -6068,11 +6259,6 @@
       <source>The disk does not answer properly; check it, then open the project again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk düzgün yanıt vermiyor; denetleyin, sonra projeyi yeniden açın.</translation>
-    </message>
-    <message>
-      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Katalog bozuk; backups klasöründeki en yeni dosyayı geri koyun.</translation>
     </message>
     <message>
       <source>The catalogue does not take this (%1).</source>
@@ -7045,11 +7231,6 @@
       <translation>'%1' sütunu iki kez var.</translation>
     </message>
     <message>
-      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tabloda 'number' sütunu (parçalar) ya da 'site' ve 'context' sütunları (kontekstler) olmalı.</translation>
-    </message>
-    <message>
       <source>These places and batches are not written as Ostraka writes them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yerler ve partiler Ostraka’nın yazdığı gibi yazılmamış.</translation>
@@ -7688,11 +7869,6 @@
       <source>Look at the masks, and at whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maskelere ve tablada parça olup olmadığına bakın.</translation>
-    </message>
-    <message>
-      <source>The folder cannot be made (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Klasör oluşturulamıyor (%1).</translation>
     </message>
     <message>
       <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
@@ -8395,11 +8571,6 @@
       <translation>Düzenek bir kamera ve en az dört durak ister; yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one for the batch.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Klasörde zaten dosyalar var; parti için yeni ya da boş birini verin.</translation>
-    </message>
-    <message>
       <source>The virtual camera has no setting %1 of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sanal kamerada %2 değerli bir %1 ayarı yok.</translation>
@@ -8418,11 +8589,6 @@
       <source>This model is gone; compute its batch again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu model artık yok; partisini yeniden hesaplayın.</translation>
-    </message>
-    <message>
-      <source>The model cannot be kept here (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Model burada saklanamıyor (%1).</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8644,6 +8810,131 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
     </message>
+    <message>
+      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çıktı klasörü artık yok: program içine yazarken taşındı veya silindi. Fotoğraflara dokunulmadı; aynı komutu yeniden başlatın.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasörde zaten dosyalar var; yeni veya boş bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasör ayrı bir disk ya da içinde bulunduğunuz klasör; içinde yeni bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasör tamamlanmamış dosyalar için gerekli, ama başka dosyalar içeriyor; onu başka yere taşıyın.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzde, olağan parçanın uzunluğunun % %1 kadarı olan bir parça dışarıda bırakıldı; ölçek olmadan bir çömlek parçası olabilir.</translation>
+    </message>
+    <message>
+      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzde, olağan parçanın uzunluğunun % %1 kadarı olan bir parça dışarıda bırakıldı; ölçek olmadan bir çömlek parçası olabilir.</translation>
+    </message>
+    <message>
+      <source>If it is one, photograph it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Öyleyse, onu tek başına fotoğraflayın.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Katalog bozuk (%1); hiçbir şey değiştirilmedi ve hiçbir yedek silinmedi. “ostraka catalogue repair PROJECT” ile onarın.</translation>
+    </message>
+    <message>
+        <source>a page was changed</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>bir sayfa değişmiş</translation>
+    </message>
+    <message>
+        <source>its pages do not fit together</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sayfaları birbirini tutmuyor</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>dosya boş</translation>
+    </message>
+    <message>
+        <source>the file is not a database</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>dosya bir veritabanı değil</translation>
+    </message>
+    <message>
+        <source>the file belongs to another program</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>dosya başka bir programa ait</translation>
+    </message>
+    <message>
+        <source>the file holds no catalogue</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>dosyada katalog yok</translation>
+    </message>
+    <message>
+        <source>the header contradicts itself</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>başlık kendisiyle çelişiyor</translation>
+    </message>
+    <message>
+        <source>it holds no project</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>içinde proje yok</translation>
+    </message>
+    <message>
+        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Katalog okunamıyor; yerinde olup olmadığını ve izinlerini denetleyin.</translation>
+    </message>
+    <message>
+        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu proje yalnızca okunabilir ve okumak için bir kopyaya yer yok; geçici dosyalar klasöründe yer açın.</translation>
+    </message>
+    <message>
+        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu proje daha eski bir Ostraka ile yapılmış ve burada yalnızca okunabilir; yazabildiğiniz bir klasöre kopyalayıp orada açın.</translation>
+    </message>
+    <message>
+        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bozuk kataloğun kopyası yazılamıyor; bu diskte yer açıp yeniden onarın.</translation>
+    </message>
+    <message>
+        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Onarılan katalog yazılamıyor; bu diskte yer açıp yeniden onarın. Hiçbir şey değiştirilmedi.</translation>
+    </message>
+    <message>
+        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Katalog bozuk ve hiçbir yedeği sağlam değil; bir arşivden ya da başka bir diskten backups klasörüne bir yedek kopyalayıp yeniden onarın.</translation>
+    </message>
+    <message>
+        <source>Another program has this project open; close it there, then repair it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu proje başka bir programda açık; orada kapatıp sonra onarın.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tabloda parça numaraları için bir sütun ya da alan ve kontekst sütunları (kontekstler) olmalı; hangileri olduğunu belirtin.</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 satırdan %2 tanesi girildi; aynı içe aktarma ötekileri girer.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -8658,6 +8949,107 @@
       <translation>
         <numerusform>Bu projenin %n dosyası eksik ya da değiştirilmiş, ilki %1. Bir kopyadan geri koyun; &apos;ostraka catalogue check&apos; hepsini listeler.</numerusform>
       </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ToolRow</name>
+    <message>
+        <source>More</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Diğer</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Diğer araçlar</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, tuş %2</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ColumnTable</name>
+    <message>
+        <source>says nothing about the sherd</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>parça hakkında bir şey söylemiyor</translation>
+    </message>
+    <message>
+        <source>unit guessed from the values; check it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>birim değerlerden tahmin edildi; denetleyin</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>adına göre</translation>
+    </message>
+    <message>
+        <source>as in the last table with these columns</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>bu sütunları olan son tablodaki gibi</translation>
+    </message>
+    <message>
+        <source>chosen by you</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sizin seçiminiz</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a field of your own</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>bu adda alan yok; kendi alanınız olarak tutulur</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tablonun sütunları</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sütun</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>alan</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>birim</translation>
+    </message>
+    <message>
+        <source>first values</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ilk değerler</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>neden</translation>
+    </message>
+    <message>
+        <source>Field of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 sütununun alanı</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>atla</translation>
+    </message>
+    <message>
+        <source>own field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>kendi alanınız: %1</translation>
+    </message>
+    <message>
+        <source>Unit of the column %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 sütununun birimi</translation>
     </message>
 </context>
 </TS>

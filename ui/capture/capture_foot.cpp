@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QMenu>
 #include <QToolButton>
 
 #include "ui/capture/capture_wizard.h"
@@ -10,6 +9,7 @@
 #include "ui/capture/place_edit.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/tool_row.h"
 
 namespace ostraka::ui {
 
@@ -43,37 +43,25 @@ QWidget* CaptureFoot::buildFields() {
 }
 
 QWidget* CaptureFoot::buildTools(const Acts& acts) {
-  auto* tools = new QWidget(this);
-  auto* row = new QHBoxLayout(tools);
-  row->setContentsMargins(0, 0, 0, 0);
+  tools_ = new ToolRow(this);
+  tools_->setTouched();
+  tools_->addGroup({}, QList<QAction*>(acts.cameras.begin(), acts.cameras.end()));
+  tools_->addGroup({}, {acts.stop});
+  tools_->addGroup({}, acts.more);
   for (QAction* camera : acts.cameras) {
-    auto* button = new QToolButton(tools);
-    button->setDefaultAction(camera);
-    button->setObjectName(camera->objectName() + QStringLiteral("Button"));
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setAccessibleName(camera->text());
-    button->setMinimumSize(targetSize(*this), targetSize(*this));
-    row->addWidget(button);
+    tools_->buttonOf(camera)->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    tools_->buttonOf(camera)->setMinimumWidth(targetSize(*this));
   }
-  auto* stop = new QToolButton(tools);
-  stop->setDefaultAction(acts.stop);
-  stop->setObjectName(QStringLiteral("captureStopButton"));
-  stop->setAccessibleName(acts.stop->text());
-  stop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  auto* more = new QToolButton(tools);
-  more->setObjectName(QStringLiteral("captureMore"));
-  more->setText(tr("More"));
-  more->setAccessibleName(tr("Import, another rig, set aside"));
-  more->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(more);
-  menu->addActions(acts.more);
-  more->setMenu(menu);
-  for (QToolButton* button : {stop, more}) {
-    button->setMinimumHeight(targetSize(*this));
-    row->addWidget(button);
-  }
-  row->addStretch();
-  return tools;
+  return tools_;
+}
+
+QAbstractButton* CaptureFoot::button() const {
+  return button_;
+}
+
+void CaptureFoot::setCompact(bool compact) {
+  tools_->setCompact(compact);
+  place_->setCompact(compact);
 }
 
 void CaptureFoot::follow() {

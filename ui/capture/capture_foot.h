@@ -3,6 +3,7 @@
 
 #include "ui/frame/side_by_side.h"
 
+class QAbstractButton;
 class QAction;
 
 namespace ostraka::ui {
@@ -11,6 +12,7 @@ class BigButton;
 class CaptureWizard;
 class CountEdit;
 class PlaceEdit;
+class ToolRow;
 
 /// The foot of the wizard: the bag, the count, the cameras, and the one big button.
 class CaptureFoot final : public SideBySide {
@@ -25,7 +27,9 @@ class CaptureFoot final : public SideBySide {
   CaptureFoot(CaptureWizard* wizard, const Acts& acts, QWidget* parent);
   PlaceEdit* place() const { return place_; }
   CountEdit* count() const { return count_; }
+  QAbstractButton* button() const;
   void follow();
+  void setCompact(bool compact);
 
  signals:
   void entered();  ///< Return in a field: the person is done with it
@@ -38,6 +42,7 @@ class CaptureFoot final : public SideBySide {
   PlaceEdit* place_;
   CountEdit* count_;
   BigButton* button_;
+  ToolRow* tools_;
 };
 
 }  // namespace ostraka::ui

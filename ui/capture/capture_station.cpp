@@ -25,6 +25,7 @@
 #include "ui/capture/stop_board.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
 #include "ui/words/sentence.h"
@@ -32,10 +33,10 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr const char* kRigKey = "rig";
 constexpr const char* kPlaceKey = "capture.place";
 constexpr int kMostCameras = 3;
 constexpr qsizetype kNumbersNamed = 4;
+constexpr double kFromAfar = 3;  // of the body's letters
 
 }  // namespace
 
@@ -51,6 +52,7 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   buildActions();
   work_page_ = buildWorkPage();
   auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addWidget(rig_page_);
   all->addWidget(work_page_);
   failure_ = new MessagePanel(this);
@@ -65,6 +67,13 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   connect(import_ask_, &ImportAsk::confirmed, importer_, &BatchImporter::start);
   connect(import_ask_, &ImportAsk::confirmed, this, qOverload<>(&QWidget::setFocus));
   connect(import_ask_, &ImportAsk::left, this, qOverload<>(&QWidget::setFocus));
+  const auto showPlace = [this](bool shown) {  // one field for a bag at a time
+    place_->setVisible(shown);
+    place_->follow();
+  };
+  connect(import_ask_, &ImportAsk::asked, this, [showPlace] { showPlace(false); });
+  connect(import_ask_, &ImportAsk::confirmed, this, [showPlace] { showPlace(true); });
+  connect(import_ask_, &ImportAsk::left, this, [showPlace] { showPlace(true); });
   all->addWidget(import_ask_);
   all->addWidget(new ImportLine(importer_, this));
   all->addWidget(twice_);
@@ -77,6 +86,8 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   connect(wizard_, &CaptureWizard::batchQueued, this,
           [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
   connect(wizard_, &CaptureWizard::batchSetAside, this, &CaptureStation::batchSetAside);
+  connect(wizard_, &CaptureWizard::rigTried, this, &CaptureStation::followRig);
+  connect(rig_page_, &RigPage::kept, wizard_, &CaptureWizard::keepRig);
   connect(rig_page_, &RigPage::chosen, this, &CaptureStation::chooseRig);
   connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
   connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
@@ -92,37 +103,6 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   follow();
 }
 
-// The same photographs once more are a slip more often than a wish.
-void CaptureStation::buildTwice() {
-  twice_ = new MessagePanel(this);
-  twice_->setObjectName(QStringLiteral("importTwice"));
-  twice_->setSecondAct(tr("Import them all the same"));
-  twice_->hide();
-  connect(importer_, &BatchImporter::alreadyThere, this,
-          [this](const QString& number, const QString& folder, int there, int files) {
-            twice_->showWords(
-                folder,
-                there == files
-                    ? tr("%1 has these files already; nothing was imported.").arg(number)
-                    : tr("%1 has %2 of these %3 files already; nothing was imported. To have them "
-                         "whole, import them all and set %1 aside in the queue.")
-                          .arg(number)
-                          .arg(there)
-                          .arg(files),
-                tr("All right"));
-          });
-  connect(importer_, &BatchImporter::started, twice_, &QWidget::hide);
-  for (QAction* import : {import_photographs_, import_scans_}) {  // one at a time
-    connect(importer_, &BatchImporter::started, import, [import] { import->setEnabled(false); });
-    connect(importer_, &BatchImporter::ended, import, [import] { import->setEnabled(true); });
-  }
-  connect(twice_, &MessagePanel::actedSecond, importer_, &BatchImporter::startAllTheSame);
-  connect(twice_, &MessagePanel::acted, this, [this] {
-    twice_->hide();
-    setFocus();
-  });
-}
-
 QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, const QString& text,
                                 const QKeySequence& key) {
   auto* action = new QAction(icon(icon_name), text, this);
@@ -134,7 +114,7 @@ QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, c
 }
 
 void CaptureStation::buildActions() {
-  next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("The next thing"),
+  next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("Next step"),
                  QKeySequence(Qt::Key_Space));
   next_->setAutoRepeat(false);  // a key that is held does one thing
   stop_ = addAct(QStringLiteral("captureStop"), QStringLiteral("stop"), tr("Stop the table"),
@@ -205,9 +185,6 @@ QWidget* CaptureStation::buildWorkPage() {
   middle_->addWidget(plate_);
   middle_->addWidget(board_);
   facts_ = new FactList(page);
-  auto* row = new QHBoxLayout;
-  row->addWidget(middle_, 1);
-  row->addWidget(facts_);
   numbers_ = new SherdNumbers(this);
   number_edit_ = new NumberEdit(numbers_, page);
   number_edit_->hide();
@@ -231,25 +208,38 @@ QWidget* CaptureStation::buildWorkPage() {
   connect(fault_, &MessagePanel::acted, this, [this] {
     if (wizard_->fault()) goOn();
   });
+  connect(fault_, &MessagePanel::actedSecond, change_rig_, &QAction::trigger);
   connect(doubts_, &MessagePanel::acted, again_, &QAction::trigger);
   other_numbers_ = new MessagePanel(page);
   other_numbers_->setObjectName(QStringLiteral("numbersOfAnotherBag"));
   other_numbers_->hide();
   connect(other_numbers_, &MessagePanel::acted, wizard_, &CaptureWizard::takeNumbersAsRight);
   connect(numbers_, &SherdNumbers::changed, this, &CaptureStation::followBag);
+  QWidget* foot = buildFoot();
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(headline_);
   column->addWidget(instruction_);
+  column->addWidget(new PageArea(buildMiddle(page), page), 1);
+  column->addWidget(fault_);
+  column->addWidget(place_->note());
+  column->addWidget(foot);
+  return page;
+}
+
+// What is looked at; where it finds no room it is scrolled, and what decides is not.
+QWidget* CaptureStation::buildMiddle(QWidget* page) {
+  auto* middle = new QWidget(page);
+  auto* row = new QHBoxLayout;
+  row->addWidget(middle_, 1);
+  row->addWidget(facts_);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row, 1);
   column->addWidget(number_edit_);
   column->addWidget(doubts_);
   column->addWidget(other_numbers_);
-  column->addWidget(fault_);
-  QWidget* foot = buildFoot();
-  column->addWidget(place_->note());
-  column->addWidget(foot);
-  return page;
+  return middle;
 }
 
 QWidget* CaptureStation::buildFoot() {
@@ -278,15 +268,7 @@ QString CaptureStation::iconName() const {
 QString CaptureStation::manualPage() const {
   return QStringLiteral("capture");
 }
-QString CaptureStation::rigWords() const {
-  if (wizard_->phase() == CapturePhase::NoRig) return {};
-  return isRigReady() ? wizard_->rigWords() : tr("does not answer");
-}
-bool CaptureStation::isRigReady() const {
-  return wizard_->phase() != CapturePhase::NoRig &&
-         !(wizard_->phase() == CapturePhase::Opening && wizard_->fault());
-}
-QString CaptureStation::placeWords() const {
+QString CaptureStation::whereWords() const {
   return wizard_->place().words();
 }
 
@@ -320,7 +302,7 @@ void CaptureStation::closeProject() {
   importer_->setSession(nullptr);
   renewal_->forget();
   board_->setThumbnails(nullptr);
-  import_ask_->hide();
+  if (!import_ask_->isHidden()) import_ask_->leave();
   for (PlaceEdit* place : {place_, import_ask_->place()}) {
     place->setNews({});
     place->setReader({});
@@ -337,41 +319,30 @@ void CaptureStation::setInFront(bool in_front) {
   if (in_front) setFocus();
 }
 
-void CaptureStation::chooseRig(const RigChoice& choice) {
-  if (session_ == nullptr) return;
-  (void)session_->project().catalogue().setSetting(kRigKey, choice.toJson().toStdString());
-  wizard_->setRig(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
-                                                          : fileRigSource(choice.file));
-  setFocus();
+QAbstractButton* CaptureStation::primary() const {
+  if (!rig_page_->isHidden()) return rig_page_->primary();
+  return fault_->act() != nullptr ? fault_->act() : foot_->button();
 }
 
-RigChoice CaptureStation::rigChoice() const {
-  if (session_ == nullptr) return {};
-  const Result<std::string> rig = session_->project().catalogue().setting(kRigKey);
-  return RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
-}
-
-void CaptureStation::showItem(const QString& what) {
-  const QString batch = what.section(QStringLiteral("calibrate:"), 1);
-  if (session_ == nullptr || batch.isEmpty()) return;
-  const RigChoice choice = rigChoice();
-  if (choice.kind != RigChoice::Kind::File)
-    return emit said(tr("This project photographs with no calibrated rig of its own."));
-  renewal_->start(*session_, choice.file, batch);
+void CaptureStation::setCompact(bool compact) {
+  compact_ = compact;
+  foot_->setCompact(compact);
+  for (MessagePanel* panel : {fault_, doubts_, other_numbers_, failure_, twice_})
+    panel->setCompact(compact);
+  follow();
 }
 
 void CaptureStation::showFailure(const Error& error) {
   if (error.code == ErrorCode::Cancelled)
     return emit said(tr("The import is stopped; nothing was left behind."));
-  failure_->showError(error, tr("All right"));
+  failure_->showError(error, tr("OK"));
   emit said(sentenceOf(error));
 }
 
 void CaptureStation::showImported(const QString& number, int files, const QStringList& doubts) {
   const QString words =
       tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number);
-  if (!doubts.isEmpty())
-    failure_->showWords(words, doubts.join(QLatin1Char('\n')), tr("All right"));
+  if (!doubts.isEmpty()) failure_->showWords(words, doubts.join(QLatin1Char('\n')), tr("OK"));
   emit said(words);
 }
 
@@ -383,7 +354,7 @@ void CaptureStation::chooseImport(ImportKind kind) {
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this, kind](const QString& folder) { import_ask_->ask(folder, kind, place_->text()); });
+          [this, kind](const QString& folder) { import_ask_->ask(folder, kind); });
   dialog->open();
 }
 
@@ -398,15 +369,16 @@ void CaptureStation::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
   rig_page_->setVisible(no_rig);
+  rig_page_->setCanKeep(wizard_->canKeepRig());
   work_page_->setVisible(!no_rig);
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
   // What was photographed stays in sight when it is done.
   const bool board = shooting || (phase == CapturePhase::Done && !wizard_->shots().empty());
   middle_->setCurrentWidget(board ? static_cast<QWidget*>(board_) : plate_);
   headline_->setText(wizard_->headline());
-  headline_->setFont(scaledFont(*this, phase == CapturePhase::Done ? 3.0 : 1.8));
+  headline_->setFont(scaledFont(*this, headlineSize(), true));
   instruction_->setText(wizard_->instruction());
-  instruction_->setFont(scaledFont(*this, 1.2));
+  instruction_->setVisible(!compact_ && !instruction_->text().isEmpty());
   foot_->follow();
   place_->follow();
   next_->setEnabled(no_rig || wizard_->canGoOn());
@@ -424,6 +396,12 @@ void CaptureStation::follow() {
   followBag();
   followLive();
   emit lineChanged();
+}
+
+// That the plate may be cleared is read from three metres.
+double CaptureStation::headlineSize() const {
+  if (wizard_->phase() == CapturePhase::Done) return compact_ ? Look::kDecides : kFromAfar;
+  return compact_ ? Look::kSection : Look::kTitle;
 }
 
 void CaptureStation::followLive() {
@@ -473,6 +451,8 @@ void CaptureStation::showTrouble() {
                        .arg(wordsOf(shown.what), wizard_->holders().join(QStringLiteral(", ")))
                        .toStdString();
     fault_->showError(shown, wizard_->buttonText(), tr("Space"));
+    fault_->setSecondAct(wizard_->phase() == CapturePhase::Opening ? change_rig_->text()
+                                                                   : QString());
   } else {
     fault_->hide();
   }

@@ -39,10 +39,12 @@ class CaptureStation final : public Station {
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;
+  QAbstractButton* primary() const override;
+  void setCompact(bool compact) override;
 
   QString rigWords() const;
   bool isRigReady() const;
-  QString placeWords() const;
+  QString whereWords() const override;
   BatchImporter* importer() const { return importer_; }
 
  public slots:
@@ -60,6 +62,8 @@ class CaptureStation final : public Station {
   void buildActions();
   QWidget* buildWorkPage();
   QWidget* buildFoot();
+  QWidget* buildMiddle(QWidget* page);
+  double headlineSize() const;
   void buildTwice();
   QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
                   const QKeySequence& key);
@@ -71,9 +75,11 @@ class CaptureStation final : public Station {
   void showTrouble();
   void followBag();
   void placeTyped();
+  void followRig(const std::optional<Error>& why_not);
   void showFailure(const Error& error);
   void showImported(const QString& number, int files, const QStringList& doubts);
   RigChoice rigChoice() const;
+  void keepChoice(const RigChoice& choice);
 
   CaptureWizard* wizard_;
   BatchImporter* importer_;
@@ -82,6 +88,8 @@ class CaptureStation final : public Station {
   Thumbnails* thumbnails_ = nullptr;
   RigPage* rig_page_;
   QWidget* work_page_;
+  bool compact_ = false;
+  RigChoice tried_rig_;  ///< takes the place of the kept one when it opens
   QStackedWidget* middle_;
   PlateView* plate_;
   StopBoard* board_;

@@ -54,7 +54,9 @@ void CaptureWizard::setSession(ProjectSession* session) {
     });
   live_.reset();
   forgetPlate();
+  devices_.reset();
   clearRig();
+  before_.reset();
 }
 
 bool CaptureWizard::isShooting() const {
@@ -76,6 +78,7 @@ void CaptureWizard::changeRig(RigSource source) {
     if (!isShooting()) stop();
     return;
   }
+  if (devices_ != nullptr && source_.open) before_ = source_;
   source_ = std::move(source);
   devices_.reset();
   if (source_.open) {
@@ -87,6 +90,10 @@ void CaptureWizard::changeRig(RigSource source) {
   }
   batch_.forget();
   enter(CapturePhase::NoRig);
+}
+
+void CaptureWizard::keepRig() {
+  if (before_ && !isBusy()) changeRig(*std::exchange(before_, std::nullopt));
 }
 
 // Batches that were imported since took the number that the next one was going to have.
@@ -130,8 +137,14 @@ void CaptureWizard::openRig() {
 }
 
 void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices>>& opened) {
+  if (!opened && before_) {
+    emit rigTried(opened.error());
+    return changeRig(*std::exchange(before_, std::nullopt));
+  }
   if (!opened) return fail(opened.error(), {});
   devices_ = *opened;
+  before_.reset();
+  emit rigTried({});
   camera_ = std::clamp(camera_ < 0 ? cameras() - 1 : camera_, 0, cameras() - 1);
   if (!batch_.isThere()) return enter(CapturePhase::Place);
   const BatchState state = batch_.state();
@@ -381,8 +394,14 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
     if (!uncounted.empty()) taken.front = source.check(uncounted, devices->plate, {}, stop);
     return taken;
   };
+  prepared_ = {};
   work_ = start(makeJob(tr("Photographs of %1").arg(batch_.number()), work));
   connect(work_, &JobHandle::told, this, [this](const std::any& event) {
+    if (const auto* photographs = std::any_cast<PreparedPhotographs>(&event)) {
+      prepared_ = *photographs;
+      return emit changed();
+    }
+    prepared_ = {};
     hear(std::any_cast<const capture::CaptureEvent&>(event));
   });
   connect(work_, &JobHandle::finished, this, [this, side](const JobOutcome& outcome) {

@@ -31,11 +31,11 @@ class CaptureWizard final : public QObject {
   ~CaptureWizard() override;
 
   void setSession(ProjectSession* session);  ///< null closes
-  /// While a side is photographed it waits for its end.
+  /// It waits for a side's end. What does not open leaves its place to the one that worked before.
   void setRig(RigSource source);
   void clearRig();
-  /// Live pictures are taken only while somebody looks.
-  void setLive(bool on);
+  bool canKeepRig() const { return before_.has_value(); }
+  void setLive(bool on);  ///< live pictures are taken only while somebody looks
 
   CapturePhase phase() const { return phase_; }
   bool isBusy() const { return work_ != nullptr || after_live_ != nullptr; }
@@ -47,10 +47,8 @@ class CaptureWizard final : public QObject {
   std::vector<CaptureFact> facts() const;
   /// What went wrong; it takes the place of the button. Space tries again.
   const std::optional<Error>& fault() const { return fault_; }
-  /// Programs of the desktop that hold a camera: then Space makes them let go and tries again.
-  const QStringList& holders() const { return holders_; }
-  /// What a person has to do at the rig now, empty when nothing; Space says it is done.
-  const QString& question() const { return question_.sentence(); }
+  const QStringList& holders() const { return holders_; }  ///< of a camera; Space releases it
+  const QString& question() const { return question_.sentence(); }  ///< at the rig; Space: done
   /// What a person should look at before going on; Space goes on all the same, R takes again.
   const QStringList& doubts() const { return doubts_; }
 
@@ -64,8 +62,7 @@ class CaptureWizard final : public QObject {
   const std::vector<TakenShot>& shots() const { return shots_; }
   QString batchNumber() const { return batch_.number(); }
   const PlaceText& place() const { return place_; }
-  /// Sherds that the person counted onto the plate, 0: none; each side is compared with it.
-  int counted() const { return batch_.counted(); }
+  int counted() const { return batch_.counted(); }  ///< by the person onto the plate, 0: not
   bool canDescribe() const;  ///< its bag and its count: until the batch is in the queue
   bool canSetAside() const;  ///< a batch has begun, is in no queue, and nothing is being shot
   QStringList numbersOfAnotherBag() const { return batch_.numbersOfAnotherBag(); }
@@ -77,6 +74,7 @@ class CaptureWizard final : public QObject {
   void setPlace(const ostraka::ui::PlaceText& place);
   void setCounted(int sherds);
   void next();           ///< Space
+  void keepRig();        ///< the one that worked, after clearRig
   void stop();           ///< Esc: the table stands still at once
   void again();          ///< R: the photographs with problems
   void keepDescribed();  ///< the bag was mended: the batch in hand has it at once
@@ -92,6 +90,7 @@ class CaptureWizard final : public QObject {
   void batchSetAside(const QString& number);
   void placeRead();  ///< place() was read from a bag's label under the camera, or of a batch
   void said(const QString& sentence);
+  void rigTried(const std::optional<ostraka::Error>& why_not);  ///< null: it is open
 
  private:
   static QString repeatQuestion();
@@ -126,7 +125,7 @@ class CaptureWizard final : public QObject {
 
   QPointer<ProjectSession> session_;
   RigSource source_;
-  std::optional<RigSource> waiting_;  ///< the next one, until the present work has ended
+  std::optional<RigSource> waiting_, before_;  ///< until the present work ended; that worked
   std::shared_ptr<capture::RigDevices> devices_;
   int opened_for_ = 0;  ///< the index of the batch that devices_ were opened for
   std::vector<capture::ShotName> retaking_;  ///< asked for again and not kept yet
@@ -142,6 +141,7 @@ class CaptureWizard final : public QObject {
   std::optional<capture::SideSummary> summary_[2];
   std::vector<TakenShot> shots_;
   int camera_ = -1, stop_ = -1, stops_done_ = 0, looks_without_label_ = 0;
+  PreparedPhotographs prepared_;
   PlaceText place_;
   QStringList labels_;  ///< of bags, seen last; while they lie there they say nothing new
   BatchInHand batch_;

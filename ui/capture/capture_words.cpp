@@ -16,13 +16,16 @@ QString CaptureWizard::headline() const {
     case CapturePhase::NoRig:
       return tr("No rig yet");
     case CapturePhase::Opening:
-      return tr("The rig is being opened");
+      return fault_ ? tr("The rig does not open") : tr("Opening the rig");
     case CapturePhase::Place:
       return tr("Lay the sherds on the plate");
     case CapturePhase::ShootFront:
-      return !isBusy() ? tr("Stopped") : tr("Photographing the fronts");
+      return !isBusy()             ? tr("Stopped")
+             : prepared_.total > 0 ? tr("Taking calibration photographs")
+                                   : tr("Photographing the fronts");
     case CapturePhase::Flip:
-      return tr("Turn each sherd over where it lies");
+      return source_.turns_sherds ? tr("The virtual rig turns the sherds over")
+                                  : tr("Turn each sherd over where it lies");
     case CapturePhase::ShootBack:
       return !isBusy() ? tr("Stopped") : tr("Photographing the backs");
     case CapturePhase::Done:
@@ -39,9 +42,10 @@ QString CaptureWizard::instruction() const {
     case CapturePhase::ShootFront:
     case CapturePhase::ShootBack:
       return isBusy() ? tr("Hands off the table. Esc stops it at once.")
-                      : tr("The table stands still. What is safe is not photographed again.");
+                      : tr("The table stands still. Saved photographs are kept.");
     case CapturePhase::Flip:
-      return tr("Shifting is fine, swapping is fine, losing one is not.");
+      return source_.turns_sherds ? tr("Nothing to do by hand: shoot the backs.")
+                                  : tr("Shifting is fine, swapping is fine, losing one is not.");
     case CapturePhase::Done:
       return queued_
                  ? tr("%1 is in the queue; the next batch is one key away.").arg(batch_.number())
@@ -59,20 +63,24 @@ QString CaptureWizard::buttonText() const {
   if (fault_ && !holders_.isEmpty()) return tr("Make the desktop let go");
   const bool shooting = phase_ == CapturePhase::ShootFront || phase_ == CapturePhase::ShootBack;
   if (fault_ && shooting && !shots_.empty())
-    return tr("Go on at stop %1").arg(qMin(stops_done_ + 1, stops()));
+    return tr("Resume at position %1").arg(qMin(stops_done_ + 1, stops()));
   if (fault_) return tr("Try again");
   switch (phase_) {
     case CapturePhase::Place:
       return tr("Shoot the fronts");
     case CapturePhase::Flip:
-      return tr("All turned: shoot the backs");
+      return source_.turns_sherds ? tr("Shoot the backs") : tr("All turned: shoot the backs");
     case CapturePhase::Done:
       return queued_ ? tr("Next batch") : tr("It is right: into the queue");
     case CapturePhase::ShootFront:
     case CapturePhase::ShootBack:
-      return tr("Stop %1 of %2").arg(qMax(stop_, 0) + 1).arg(stops());
-    case CapturePhase::NoRig:
+      return prepared_.total > 0 ? tr("Calibration photograph %1 of %2")
+                                       .arg(qMin(prepared_.done + 1, prepared_.total))
+                                       .arg(prepared_.total)
+                                 : tr("Position %1 of %2").arg(qMax(stop_, 0) + 1).arg(stops());
     case CapturePhase::Opening:
+      return tr("Opening the rig…");
+    case CapturePhase::NoRig:
       break;
   }
   return tr("One moment");
@@ -147,7 +155,7 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     facts.push_back(
         {false, tr("%1 % of the sherds is too bright").arg(qRound(100 * look.bright_share))});
   if (look.dark_share <= 0.02 && look.bright_share <= 0.02 && !look.sherds.empty())
-    facts.push_back({true, tr("Light is right")});
+    facts.push_back({true, tr("Lighting OK")});
   remind();
   return facts;
 }

@@ -33,7 +33,7 @@ void FactList::setFacts(const std::vector<CaptureFact>& facts) {
     if (!fact.good)
       ink.setColor(QPalette::WindowText, StateColours(QApplication::palette()).of(State::Ask));
     label->setPalette(ink);
-    label->setFont(scaledFont(*this, 1.15));
+    label->setFont(scaledFont(*this, Look::kSection, true));
   }
 }
 

@@ -37,13 +37,14 @@ ImportAsk::ImportAsk(QWidget* parent)
   hide();
 }
 
-void ImportAsk::ask(const QString& folder, ImportKind kind, const QString& suggestion) {
+void ImportAsk::ask(const QString& folder, ImportKind kind) {
   folder_ = folder;
   kind_ = kind;
   words_->setText(tr("Which bag do the sherds of %1 come from?").arg(folder));
-  place_->setText(suggestion);
+  place_->setText({});  // the bag on the turntable is another, mostly
   import_->setEnabled(place_->isUsable());
   show();
+  emit asked();
   place_->choose();
 }
 

@@ -19,10 +19,12 @@ class ImportAsk final : public QWidget {
  public:
   explicit ImportAsk(QWidget* parent = nullptr);
   PlaceEdit* place() const { return place_; }
-  /// suggestion: the bag that was typed last.
-  void ask(const QString& folder, ImportKind kind, const QString& suggestion);
+  /// Until confirmed() or left().
+  void ask(const QString& folder, ImportKind kind);
+  void leave();
 
  signals:
+  void asked();  ///< this is the one field for a bag now
   void confirmed(const QString& folder, ostraka::ui::ImportKind kind,
                  const ostraka::ui::PlaceText& place);
   void left();
@@ -32,7 +34,6 @@ class ImportAsk final : public QWidget {
 
  private:
   void confirm();
-  void leave();
 
   QString folder_;
   ImportKind kind_ = ImportKind::Photographs;

@@ -19,7 +19,6 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   edit_->setMinimumHeight(targetSize(*this));
   edit_->installEventFilter(this);
   note_->setObjectName(QStringLiteral("capturePlaceNote"));
-  edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
   note_->setWordWrap(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -33,6 +32,7 @@ PlaceEdit::PlaceEdit(QWidget* parent)
     follow();
     emit edited();
   });
+  setCompact(false);
   follow();
 }
 
@@ -67,6 +67,10 @@ QString PlaceEdit::text() const {
   return edit_->text().trimmed();
 }
 
+void PlaceEdit::setCompact(bool compact) {
+  edit_->setMinimumWidth(fontMetrics().averageCharWidth() * (compact ? 14 : 24));
+}
+
 void PlaceEdit::choose() {
   edit_->setFocus();
   edit_->selectAll();
@@ -83,7 +87,8 @@ bool PlaceEdit::isUsable() const {
 void PlaceEdit::follow() {
   const QString words = noteWords();
   note_->setText(words);
-  note_->setVisible(!words.isEmpty());
+  const bool put_away = testAttribute(Qt::WA_WState_ExplicitShowHide) && isHidden();
+  note_->setVisible(!words.isEmpty() && !put_away);
 }
 
 QString PlaceEdit::noteWords() {

@@ -21,6 +21,7 @@ class PlaceEdit final : public QWidget {
   void setNews(std::function<QString(const PlaceText&)> news);
   void setText(const QString& text);
   QString text() const;
+  void setCompact(bool compact);
   void choose();                          ///< all of it, to be typed anew
   PlaceText place() const;                ///< empty when nothing or nonsense is typed
   QLabel* note() const { return note_; }  ///< what to know about it; a line of its own

@@ -12,14 +12,12 @@ namespace ostraka::ui {
 namespace {
 
 constexpr double kScaleBar_mm = 50;
-// On a photograph the colours for dark grounds are the readable ones.
-constexpr QColor kGoodOnPhotograph(0x62, 0xb8, 0xf5), kBadOnPhotograph(0xff, 0x94, 0x66);
 
 // Words on a photograph: a dark halo keeps them readable on clay, plate and paper.
 void drawOnPhotograph(QPainter& painter, const QPainterPath& shape, const QColor& ink,
                       double line) {
   painter.strokePath(
-      shape, QPen(QColor(0, 0, 0, 170), line * 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      shape, QPen(photographInks().halo, line * 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.fillPath(shape, ink);
 }
 
@@ -28,6 +26,7 @@ void drawOnPhotograph(QPainter& painter, const QPainterPath& shape, const QColor
 PlateView::PlateView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Picture of the plate"));
+  setPalette(mattePalette());
 }
 
 QSize PlateView::sizeHint() const {
@@ -49,7 +48,7 @@ void PlateView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (!picture_ || picture_->image.isNull()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.setFont(scaledFont(*this, 1.3));
+    painter.setFont(scaledFont(*this, Look::kSection, true));
     painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
                      otherwise_);
     return;
@@ -99,8 +98,8 @@ void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
   const capture::PlateLook& look = picture_->look;
   if (!look.pixel_from_plate) return;
   constexpr int kCorners = 36;
-  painter.setBrush(QColor(255, 255, 255, 46));
-  painter.setPen(QPen(QColor(255, 255, 255, 170), lineWidth(*this, 1), Qt::DotLine));
+  painter.setBrush(photographInks().free_place);
+  painter.setPen(QPen(photographInks().line, lineWidth(*this, 1), Qt::DotLine));
   for (const Eigen::Vector2d& place : picture_->room.places) {
     QPolygonF disc;
     for (int k = 0; k < kCorners; ++k) {
@@ -124,9 +123,9 @@ void PlateView::drawMarks(QPainter& painter, double scale) const {
     for (const Eigen::Vector2f& p : mark.corners_px)
       corners << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y())) * scale;
     const double line = lineWidth(*this, mark.seen ? 1 : 2);
-    painter.setPen(QPen(QColor(0, 0, 0, 150), line * 2));
+    painter.setPen(QPen(photographInks().halo, line * 2));
     painter.drawPolygon(corners);
-    painter.setPen(QPen(mark.seen ? kGoodOnPhotograph : kBadOnPhotograph, line,
+    painter.setPen(QPen(mark.seen ? photographInks().good : photographInks().bad, line,
                         mark.seen ? Qt::SolidLine : Qt::DashLine));
     painter.drawPolygon(corners);
     if (mark.seen) continue;
@@ -137,7 +136,7 @@ void PlateView::drawMarks(QPainter& painter, double scale) const {
 
 void PlateView::drawSherds(QPainter& painter, double scale) const {
   const double line = lineWidth(*this, 2);
-  const QColor good = kGoodOnPhotograph, bad = kBadOnPhotograph;
+  const QColor good = photographInks().good, bad = photographInks().bad;
   const auto& sherds = picture_->look.sherds;
   std::vector<QPointF> centres;
   for (const capture::SeenSherd& sherd : sherds) {
@@ -146,7 +145,7 @@ void PlateView::drawSherds(QPainter& painter, double scale) const {
       outline << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y())) * scale;
     centres.push_back(outline.boundingRect().center());
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 150), line * 2));
+    painter.setPen(QPen(photographInks().halo, line * 2));
     painter.drawPolygon(outline);
     painter.setPen(
         QPen(sherd.cut_off ? bad : good, line, sherd.cut_off ? Qt::DashLine : Qt::SolidLine));
@@ -169,7 +168,8 @@ void PlateView::drawSherds(QPainter& painter, double scale) const {
     const QFontMetricsF metrics(font);
     path.addText(centres[i].x() - metrics.horizontalAdvance(number) / 2,
                  centres[i].y() + metrics.capHeight() / 2, font, number);
-    drawOnPhotograph(painter, path, sherd == chosen_ ? Qt::yellow : Qt::white, line);
+    drawOnPhotograph(painter, path, sherd == chosen_ ? photographInks().lit : photographInks().line,
+                     line);
   }
 }
 
@@ -181,13 +181,13 @@ void PlateView::drawScaleBar(QPainter& painter, const QRectF& picture, double sc
   const double length = (right - left).norm() * scale;
   const double line = lineWidth(*this, 3), margin = fontMetrics().height() / 2.0;
   const QPointF end(picture.right() - margin, picture.bottom() - margin * 1.5);
-  painter.setPen(QPen(QColor(0, 0, 0, 170), line * 2));
+  painter.setPen(QPen(photographInks().halo, line * 2));
   painter.drawLine(end - QPointF(length, 0), end);
-  painter.setPen(QPen(Qt::white, line));
+  painter.setPen(QPen(photographInks().line, line));
   painter.drawLine(end - QPointF(length, 0), end);
   QPainterPath words;
   words.addText(end - QPointF(length, margin * 0.6), font(), tr("5 cm"));
-  drawOnPhotograph(painter, words, Qt::white, line);
+  drawOnPhotograph(painter, words, photographInks().line, line);
 }
 
 }  // namespace ostraka::ui

@@ -26,6 +26,7 @@ RigPage::RigPage(QWidget* parent)
          "file (RIG.json) names your cameras and your turntable."),
       this);
   QPushButton* use = empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig"));
+  use_ = use;
   if (auto* big = qobject_cast<BigButton*>(use)) big->setKeyHint(tr("Space"));
   connect(use, &QPushButton::clicked, this, &RigPage::chooseVirtual);
   connect(empty->addAct(tr("Choose a rig file…"), QStringLiteral("chooseRigFile")),
@@ -34,6 +35,10 @@ RigPage::RigPage(QWidget* parent)
           &QPushButton::clicked, this, &RigPage::importPhotographs);
   QPushButton* scans = empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton"));
   connect(scans, &QPushButton::clicked, this, &RigPage::importScans);
+
+  keep_ = empty->addAct(tr("Keep current rig"), QStringLiteral("keepRig"));
+  keep_->hide();
+  connect(keep_, &QAbstractButton::clicked, this, &RigPage::kept);
 
   auto* box = new QGroupBox(tr("The virtual rig"), this);
   sherds_->setRange(1, 20);
@@ -45,12 +50,12 @@ RigPage::RigPage(QWidget* parent)
   lookalikes_->setObjectName(QStringLiteral("virtualLookalikes"));
   for (QWidget* field : {static_cast<QWidget*>(sherds_), static_cast<QWidget*>(width_),
                          static_cast<QWidget*>(lookalikes_)})
-    field->setMinimumHeight(targetSize(*this) * 2 / 3);
+    field->setMinimumHeight(controlHeight(*this));
   auto* form = new QFormLayout(box);
   form->addRow(tr("&Sherds on the plate"), sherds_);
   form->addRow(tr("&Photographs"), width_);
   form->addRow(lookalikes_);
-  centreLabels(*form);
+  alignForm(*form);
   auto* column = new QVBoxLayout(this);
   column->addWidget(empty, 3);
   column->addWidget(box, 0, Qt::AlignHCenter);
@@ -68,6 +73,10 @@ void RigPage::goOn() {
     button->click();
   else
     chooseVirtual();
+}
+
+void RigPage::setCanKeep(bool can) {
+  keep_->setVisible(can);
 }
 
 void RigPage::setChoice(const RigChoice& choice) {

@@ -3,6 +3,7 @@
 
 #include "ui/capture/rig_source.h"
 
+class QAbstractButton;
 class QComboBox;
 class QSpinBox;
 class QCheckBox;
@@ -16,6 +17,8 @@ class RigPage final : public QWidget {
  public:
   explicit RigPage(QWidget* parent = nullptr);
   void setChoice(const RigChoice& choice);
+  void setCanKeep(bool can);  ///< the rig that worked before
+  QAbstractButton* primary() const { return use_; }
 
  public slots:
   /// Space: what has the focus, and else the one big button.
@@ -25,12 +28,14 @@ class RigPage final : public QWidget {
   void chosen(const ostraka::ui::RigChoice& choice);
   void importPhotographs();
   void importScans();
+  void kept();
 
  private:
   void chooseVirtual();
   void chooseFile();
 
   RigChoice choice_;
+  QAbstractButton *use_ = nullptr, *keep_ = nullptr;
   QSpinBox* sherds_;
   QComboBox* width_;
   QCheckBox* lookalikes_;

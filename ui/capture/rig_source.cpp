@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "capture/desktop_hold.h"
+#include "ui/jobs/job.h"
 #include "virtualrig/virtual_camera.h"
 
 namespace ostraka::ui {
@@ -23,6 +24,20 @@ virtualrig::VirtualDevicesOptions virtualOptions(const RigChoice& choice, int ba
   options.lookalikes = choice.lookalikes ? 1 : 0;
   return options;
 }
+
+// A person who waits is told for how many photographs.
+class CountedProgress final : public Progress {
+ public:
+  explicit CountedProgress(Progress& inner) : inner_(inner) {}
+  void report(std::int64_t done, std::int64_t total) override {
+    inner_.report(done, total);
+    tell(inner_, PreparedPhotographs{static_cast<int>(done), static_cast<int>(total)});
+  }
+  void note(NoteLevel level, std::string_view text) override { inner_.note(level, text); }
+
+ private:
+  Progress& inner_;
+};
 
 Result<void> copyWhole(const fs::path& from, const fs::path& to) {
   const Result<std::string> bytes = readFile(from);
@@ -70,6 +85,7 @@ RigChoice RigChoice::fromJson(const QString& text) {
 RigSource virtualRigSource(const RigChoice& choice) {
   RigSource source;
   source.anew_for_each_batch = true;
+  source.turns_sherds = true;
   source.words = QCoreApplication::translate("Rig", "virtual");
   source.open = [choice](int batch, const capture::AskPerson&,
                          std::stop_token) -> Result<std::shared_ptr<capture::RigDevices>> {
@@ -79,7 +95,8 @@ RigSource virtualRigSource(const RigChoice& choice) {
   };
   source.prepare = [choice](const fs::path& folder, int batch, Progress& progress,
                             std::stop_token stop) {
-    return virtualrig::writeVirtualCalibration(virtualOptions(choice, batch), folder, progress,
+    CountedProgress counted(progress);
+    return virtualrig::writeVirtualCalibration(virtualOptions(choice, batch), folder, counted,
                                                stop);
   };
   return source;

@@ -52,8 +52,14 @@ struct RigSource {
   std::function<std::vector<std::string>()> holders{};
   std::function<Result<void>(std::stop_token)> release{};
   bool anew_for_each_batch = false;
+  bool turns_sherds = false;  ///< over, by itself
   int stops = 8;
   QString words;  ///< for the line at the head: "ready (2 days old)"
+};
+
+/// What prepare() tells of its photographs while it takes them; of none: total is 0.
+struct PreparedPhotographs {
+  int done = 0, total = 0;
 };
 
 RigSource virtualRigSource(const RigChoice& choice);

@@ -15,6 +15,7 @@ StopBoard::StopBoard(const CaptureWizard* wizard, QWidget* parent)
     : QWidget(parent), wizard_(wizard) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Photographs of this side"));
+  setPalette(mattePalette());
 }
 
 QSize StopBoard::sizeHint() const {
@@ -54,7 +55,7 @@ void StopBoard::drawRing(QPainter& painter, const QRectF& ring) const {
     const bool done = stop < wizard_->stopsDone(), now = stop == wizard_->currentStop();
     const QColor colour = done  ? colours.of(State::Sure)
                           : now ? colours.of(State::Busy)
-                                : palette().color(QPalette::Mid);
+                                : palette().color(QPalette::Dark);
     painter.setPen(QPen(colour, now || done ? thick : thick / 3, Qt::SolidLine, Qt::FlatCap));
     painter.drawArc(arc, static_cast<int>(16 * (90 - stop * step - gap / 2)),
                     static_cast<int>(-16 * (step - gap)));
@@ -76,14 +77,14 @@ void StopBoard::drawShots(QPainter& painter, const QRectF& board) const {
   const double line = lineWidth(*this, 3), ratio = devicePixelRatioF();
   for (int camera = 0; camera < cameras; ++camera) {
     painter.setPen(palette().color(QPalette::Text));
-    painter.setFont(scaledFont(*this, 1.2));
+    painter.setFont(scaledFont(*this, Look::kSection, true));
     painter.drawText(QRectF(board.left(), top + camera * cell_height, letter, cell_height),
                      Qt::AlignCenter, QString::fromStdString(batch::cameraLetter(camera)));
     for (int stop = 0; stop < stops; ++stop) {
       const QRectF cell = QRectF(board.left() + letter + stop * cell_width,
                                  top + camera * cell_height, cell_width, cell_height)
                               .adjusted(line, line, -line, -line);
-      painter.setPen(QPen(palette().color(QPalette::Mid), 1));
+      painter.setPen(QPen(palette().color(QPalette::Dark), 1));
       painter.drawRect(cell);
       const auto& shots = wizard_->shots();
       const auto shot = std::find_if(shots.begin(), shots.end(), [&](const TakenShot& taken) {

@@ -18,6 +18,7 @@
 
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/side_by_side.h"
 
 namespace ostraka::ui {
@@ -40,7 +41,7 @@ QWidget* ExportStation::buildWhat() {
   auto* box = new QGroupBox(tr("What"), this);
   all_ = new QRadioButton(tr("All sherds"), box);
   all_->setObjectName("all");
-  filtered_ = new QRadioButton(tr("Those that fit this filter:"), box);
+  filtered_ = new QRadioButton(tr("Matching the filter"), box);
   filtered_->setObjectName("filtered");
   chosen_ = new QRadioButton(box);
   chosen_->setObjectName("chosen");
@@ -51,7 +52,7 @@ QWidget* ExportStation::buildWhat() {
   auto* column = new QVBoxLayout(box);
   for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
                           static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
-    widget->setMinimumHeight(targetSize(*this) * 3 / 4);
+    widget->setMinimumHeight(controlHeight(*this));
   for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
                           static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
     column->addWidget(widget);
@@ -66,13 +67,13 @@ QWidget* ExportStation::buildWhat() {
 }
 
 QWidget* ExportStation::buildForms() {
-  auto* box = new QGroupBox(tr("Forms"), this);
+  auto* box = new QGroupBox(tr("Formats"), this);
   auto* column = new QVBoxLayout(box);
   column->setSpacing(2);  // the rows' own height keeps them apart
   const std::pair<exchange::Form, QString> all[] = {
       {exchange::Form::Csv, tr("Tables (CSV), for spreadsheets")},
       {exchange::Form::Ods, tr("Tables (ODS): LibreOffice, Excel")},
-      {exchange::Form::Json, tr("Records (JSON), to be read back whole")},
+      {exchange::Form::Json, tr("Records (JSON), re-importable")},
       {exchange::Form::Pictures, tr("A picture of each model (PNG)")},
       {exchange::Form::Ply, tr("Models as PLY, in mm")},
       {exchange::Form::Glb, tr("Models as GLB, for the web and for slides")},
@@ -82,7 +83,7 @@ QWidget* ExportStation::buildForms() {
       {exchange::Form::Views, tr("Pictures, masks, poses for COLMAP and OpenMVS")}};
   for (const auto& [form, text] : all) {
     auto* check = new QCheckBox(text, box);
-    check->setMinimumHeight(targetSize(*this) * 3 / 4);  // the row between them counts, too
+    check->setMinimumHeight(controlHeight(*this));  // the row between them counts, too
     check->setObjectName("form" + QString::number(static_cast<int>(form)));
     connect(check, &QCheckBox::clicked, this,
             [this, kind = form](bool wanted) { model_.setForm(kind, wanted); });
@@ -104,7 +105,7 @@ QWidget* ExportStation::buildScale(QWidget* box) {
   auto* scale = new QComboBox(box);
   scale->setObjectName("exportScale");
   scale->setAccessibleName(tr("Scale of the drawings"));
-  scale->setMinimumHeight(targetSize(*this) * 3 / 4);
+  scale->setMinimumHeight(controlHeight(*this));
   scale->addItem(tr("1 : 1"), 1.0);
   scale->addItem(tr("1 : 2"), 0.5);
   scale->addItem(tr("as fits A4"), QVariant());
@@ -122,8 +123,8 @@ QWidget* ExportStation::buildDetail(QWidget* box) {
   detail->setToolTip(tr(
       "Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they "
       "are off is measured and stated in each."));
-  detail->setMinimumHeight(targetSize(*this) * 3 / 4);
-  detail->addItem(tr("as computed"), 0.0);
+  detail->setMinimumHeight(controlHeight(*this));
+  detail->addItem(tr("Full detail"), 0.0);
   for (const double off_mm : {0.1, 0.2, 0.4})
     detail->addItem(tr("lighter, to %1 mm").arg(locale().toString(off_mm)), off_mm);
   connect(detail, &QComboBox::activated, &model_,
@@ -138,8 +139,8 @@ QWidget* ExportStation::buildWhere() {
   target_->setAccessibleName(tr("New folder for the export"));
   auto* choose = new QPushButton(icon("folder"), tr("Choose …"), box);
   choose->setObjectName("browse");
-  choose->setMinimumHeight(targetSize(*this));
-  target_->setMinimumHeight(targetSize(*this));
+  choose->setMinimumHeight(controlHeight(*this));
+  target_->setMinimumHeight(controlHeight(*this));
   auto* row = new QHBoxLayout(box);
   row->addWidget(target_, 1);
   row->addWidget(choose);
@@ -152,25 +153,25 @@ void ExportStation::buildLayout() {
   size_ = new QLabel(this);
   size_->setObjectName("size");
   size_->setWordWrap(true);
-  size_->setFont(scaledFont(*this, 1.15));
+  size_->setFont(scaledFont(*this, Look::kSection, true));
   problem_ = new QLabel(this);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
   closing_ = new QLabel(this);
   closing_->setObjectName("closing");
   closing_->setWordWrap(true);
-  closing_->setFont(scaledFont(*this, 1.3));
+  closing_->setFont(scaledFont(*this, Look::kSection, true));
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the export"));
   start_ = new BigButton(this);
   start_->setText(tr("Export"));
   start_->setObjectName("start");
-  cancel_ = new QPushButton(icon("cancel"), tr("Stop"), this);
+  cancel_ = new QPushButton(icon("cancel"), tr("Cancel"), this);
   cancel_->setObjectName("cancel");
   open_ = new QPushButton(icon("folder"), tr("Open folder"), this);
   open_->setObjectName("open");
-  for (QPushButton* button : {start_, cancel_, open_}) button->setMinimumHeight(targetSize(*this));
+  start_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
   connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
   stop_ = new QAction(icon("cancel"), tr("Stop the export"), this);
@@ -181,22 +182,31 @@ void ExportStation::buildLayout() {
   addAction(stop_);
   connect(open_, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(model_.target())); });
-  auto* upper = new SideBySide(this);
+  auto* choices = new QWidget(this);
+  auto* upper = new SideBySide(choices);
   upper->add(buildWhat(), 1);
   upper->add(buildForms(), 1);
-  auto* act = new QHBoxLayout;
-  act->addWidget(start_, 1);
-  act->addWidget(cancel_);
-  act->addWidget(open_);
+  auto* middle = new QVBoxLayout(choices);
+  middle->setContentsMargins(0, 0, 0, 0);
+  middle->addWidget(upper);
+  middle->addWidget(buildWhere());
+  middle->addWidget(problem_);
+  middle->addStretch();
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(size_, 1);
+  foot->addWidget(bar_, 1);
+  foot->addWidget(open_);
+  foot->addWidget(cancel_);
+  foot->addWidget(start_);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(upper);
-  column->addWidget(buildWhere());
-  column->addWidget(size_);
-  column->addWidget(bar_);
-  column->addWidget(problem_);
+  column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
+  column->addWidget(new PageArea(choices, this), 1);
   column->addWidget(closing_);
-  column->addStretch();
-  column->addLayout(act);
+  column->addLayout(foot);
+}
+
+QAbstractButton* ExportStation::primary() const {
+  return start_;
 }
 
 void ExportStation::openProject(ProjectSession& session) {
@@ -262,7 +272,7 @@ void ExportStation::refresh() {
   all_->setChecked(model_.what() == ExportModel::What::All);
   filtered_->setChecked(model_.what() == ExportModel::What::Filtered);
   chosen_->setChecked(model_.what() == ExportModel::What::Chosen);
-  chosen_->setText(model_.chosen().empty() ? tr("Those chosen in the catalogue")
+  chosen_->setText(model_.chosen().empty() ? tr("Selected sherds")
                                            : tr("The %n chosen in the catalogue", nullptr,
                                                 static_cast<int>(model_.chosen().size())));
   chosen_->setEnabled(!model_.chosen().empty());

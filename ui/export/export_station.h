@@ -23,6 +23,7 @@ class ExportStation final : public Station {
   QString manualPage() const override { return "export"; }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
+  QAbstractButton* primary() const override;
   QString losesByClosing() const override;
   void takeChosen(const QString& what) override;
   ExportModel& model() { return model_; }

@@ -6,6 +6,11 @@
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr double kLetters = Look::kSection, kLeastLetters = 0.85;  // of the body's
+
+}  // namespace
 
 BigButton::BigButton(QWidget* parent) : QPushButton(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -18,15 +23,20 @@ void BigButton::setKeyHint(const QString& key) {
   update();
 }
 
+void BigButton::setPrimary(bool primary) {
+  primary_ = primary;
+  update();
+}
+
 QSize BigButton::sizeHint() const {
-  const QFontMetrics large(scaledFont(*this, 1.5)), small(font());
-  const int height = qMax(targetSize(*this), large.height() * 2);
+  const QFontMetrics large(scaledFont(*this, kLetters)), small(font());
+  const int height = targetSize(*this);
   return {large.horizontalAdvance(text()) + small.horizontalAdvance(key_) + height * 2, height};
 }
 
 // Long words of another language go into two lines before they make the window wider.
 QSize BigButton::minimumSizeHint() const {
-  const QFontMetrics large(scaledFont(*this, 1.5));
+  const QFontMetrics large(scaledFont(*this, kLetters));
   int longest = 0;
   for (const QString& word : text().split(QLatin1Char(' ')))
     longest = qMax(longest, large.horizontalAdvance(word));
@@ -37,26 +47,26 @@ QSize BigButton::minimumSizeHint() const {
 void BigButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QPalette& colours = palette();
-  const bool enabled = isEnabled();
-  QColor ground = enabled ? colours.color(QPalette::Highlight) : colours.color(QPalette::Button);
-  if (isDown()) ground = ground.darker(125);
-  const QColor ink = enabled ? colours.color(QPalette::HighlightedText)
-                             : colours.color(QPalette::Disabled, QPalette::ButtonText);
-  const double line = lineWidth(*this, 2);
-  const QRectF frame = QRectF(rect()).adjusted(line, line, -line, -line);
-  const double round = frame.height() / 6;
-  painter.setPen(enabled ? QPen(Qt::NoPen) : QPen(colours.color(QPalette::Mid), line / 2));
+  const Colours& colours = coloursOf(palette());
+  const bool enabled = isEnabled(), filled = enabled && primary_;
+  QColor ground = filled ? colours.accent : colours.raised;
+  if (isDown() || (enabled && underMouse())) ground = ground.darker(isDown() ? 125 : 108);
+  const QColor ink = filled ? colours.on_accent : enabled ? colours.text : colours.disabled;
+  const double line = Look::kFocus, edge = colours.border_width;
+  const QRectF frame = QRectF(rect()).adjusted(edge / 2, edge / 2, -edge / 2, -edge / 2);
+  painter.setPen(filled ? QPen(Qt::NoPen)
+                        : QPen(enabled ? colours.control : colours.disabled, edge,
+                               enabled ? Qt::SolidLine : Qt::DashLine));
   painter.setBrush(ground);
-  painter.drawRoundedRect(frame, round, round);
+  painter.drawRoundedRect(frame, Look::kCorner, Look::kCorner);
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(ink, line));
-    const double in = line * 2;
-    painter.drawRoundedRect(frame.adjusted(in, in, -in, -in), round / 1.5, round / 1.5);
+    painter.setPen(QPen(filled ? ink : colours.accent, line));
+    painter.drawRoundedRect(frame.adjusted(line * 1.5, line * 1.5, -line * 1.5, -line * 1.5),
+                            Look::kCorner - line, Look::kCorner - line);
   }
   painter.setPen(ink);
-  QRectF words = frame.adjusted(round, 0, -round, 0);
+  QRectF words = frame.adjusted(Look::kGap, 0, -Look::kGap, 0);
   if (!key_.isEmpty() && enabled) {
     painter.setFont(font());
     const QFontMetricsF metrics(font());
@@ -64,7 +74,7 @@ void BigButton::paintEvent(QPaintEvent*) {
     const QRectF cap(words.right() - width, words.center().y() - metrics.height() * 0.75, width,
                      metrics.height() * 1.5);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(ink, line / 2));
+    painter.setPen(QPen(ink, edge));
     painter.drawRoundedRect(cap, metrics.height() / 4, metrics.height() / 4);
     painter.drawText(cap, Qt::AlignCenter, key_);
     words.setRight(cap.left() - metrics.height() / 2);
@@ -75,9 +85,9 @@ void BigButton::paintEvent(QPaintEvent*) {
         .boundingRect(words, Qt::AlignCenter | Qt::TextWordWrap, text())
         .height();
   };
-  double factor = 1.5;
-  while (factor > 0.9 && needs(factor) > words.height()) factor -= 0.1;
-  painter.setFont(scaledFont(*this, factor));
+  double factor = kLetters;
+  while (factor > kLeastLetters && needs(factor) > words.height()) factor -= 0.05;
+  painter.setFont(scaledFont(*this, factor, true));
   painter.drawText(words, Qt::AlignCenter | Qt::TextWordWrap, text());
 }
 

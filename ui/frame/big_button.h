@@ -3,7 +3,7 @@
 
 namespace ostraka::ui {
 
-/// The next thing to do: large, in the accent colour, with its key at the right.
+/// The next step of a page: large, filled with the accent colour, with its key at the right.
 class BigButton final : public QPushButton {
   Q_OBJECT
 
@@ -11,6 +11,8 @@ class BigButton final : public QPushButton {
   explicit BigButton(QWidget* parent = nullptr);
   /// "Space": shown beside the text; the shortcut itself belongs to the screen's action.
   void setKeyHint(const QString& key);
+  /// Outlined only, where another button of the page is the one to press now.
+  void setPrimary(bool primary);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -19,6 +21,7 @@ class BigButton final : public QPushButton {
 
  private:
   QString key_;
+  bool primary_ = true;
 };
 
 }  // namespace ostraka::ui

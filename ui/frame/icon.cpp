@@ -20,7 +20,7 @@ namespace {
 // Draws a one-coloured SVG in the colour that the palette has at that moment.
 class PaletteIcon final : public QIconEngine {
  public:
-  explicit PaletteIcon(QString path) : path_(std::move(path)) {}
+  explicit PaletteIcon(QString path, QColor ink = {}) : path_(std::move(path)), ink_(ink) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
     const double ratio = painter->device()->devicePixelRatioF();
@@ -41,10 +41,11 @@ class PaletteIcon final : public QIconEngine {
     return drawn;
   }
 
-  QIconEngine* clone() const override { return new PaletteIcon(path_); }
+  QIconEngine* clone() const override { return new PaletteIcon(path_, ink_); }
 
  private:
-  static QColor colour(QIcon::Mode mode) {
+  QColor colour(QIcon::Mode mode) const {
+    if (ink_.isValid() && mode != QIcon::Disabled) return ink_;
     const QPalette palette = QApplication::palette();
     if (mode == QIcon::Disabled) return palette.color(QPalette::Disabled, QPalette::ButtonText);
     if (mode == QIcon::Selected) return palette.color(QPalette::HighlightedText);
@@ -52,15 +53,20 @@ class PaletteIcon final : public QIconEngine {
   }
 
   QString path_;
+  QColor ink_;
 };
 
 }  // namespace
 
 QIcon icon(const QString& name) {
+  return icon(name, {});
+}
+
+QIcon icon(const QString& name, const QColor& ink) {
   initialiseIcons();
   const QString path = QStringLiteral(":/icons/%1.svg").arg(name);
   Q_ASSERT_X(QFile::exists(path), "icon", qPrintable(path));
-  return QIcon(new PaletteIcon(path));
+  return QIcon(new PaletteIcon(path, ink));
 }
 
 }  // namespace ostraka::ui

@@ -1,10 +1,12 @@
 #include "ui/frame/lines.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMargins>
 #include <QProgressBar>
 #include <QTimer>
 #include <QToolButton>
@@ -36,11 +38,17 @@ void tint(QLabel* words, State state, bool plain) {
   words->setPalette(colours);
 }
 
+QMargins edges(bool compact) {
+  return compact ? QMargins(Look::kGap, 0, Look::kGap, 0)
+                 : QMargins(Look::kGroup, Look::kGap / 2, Look::kGroup, Look::kGap / 2);
+}
+
 QToolButton* button(QWidget* parent, QAction* action) {
   auto* made = new QToolButton(parent);
   made->setDefaultAction(action);
   made->setObjectName(action->objectName() + QStringLiteral("FootButton"));
   made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  made->setAutoRaise(true);
   made->setAccessibleName(action->text());
   return made;
 }
@@ -80,6 +88,7 @@ HeaderLine::HeaderLine(QWidget* parent)
   row->addWidget(room_);
   rig_->setAlignment(Qt::AlignCenter);
   room_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  setCompact(false);
 }
 
 void HeaderLine::setWhere(const QString& words) {
@@ -95,6 +104,14 @@ void HeaderLine::setRoom(int batches) {
   room_->setText(batches < 0 ? QString()
                              : tr("Disk: room for %n batch(es)", nullptr, std::min(batches, 9999)));
   tint(room_, State::Failed, batches < 0 || batches > kFewBatches);
+}
+
+void HeaderLine::setCompact(bool compact) {
+  layout()->setContentsMargins(edges(compact));
+}
+
+void FooterLine::setCompact(bool compact) {
+  layout()->setContentsMargins(edges(compact));
 }
 
 FooterLine::FooterLine(QAction* pause, QAction* log, QWidget* parent)
@@ -114,10 +131,11 @@ FooterLine::FooterLine(QAction* pause, QAction* log, QWidget* parent)
   row->addWidget(button(this, pause));
   row->addWidget(button(this, log));
   setWork({}, -1);
+  setCompact(false);
 }
 
 void FooterLine::setWork(const QString& words, double fraction) {
-  work_->setText(words.isEmpty() ? tr("Nothing to compute") : words);
+  work_->setText(words.isEmpty() ? tr("Idle") : words);
   bar_->setVisible(fraction >= 0);
   bar_->setValue(static_cast<int>(std::lround(1000 * std::clamp(fraction, 0.0, 1.0))));
 }

@@ -19,6 +19,7 @@ class HeaderLine final : public QFrame {
   void setRig(const QString& words, bool ready);
   /// batches < 0: not known. Few of them are said with a warning.
   void setRoom(int batches);
+  void setCompact(bool compact);
 
  private:
   QLabel* where_;
@@ -36,6 +37,7 @@ class FooterLine final : public QFrame {
   /// fraction < 0: nothing is being computed.
   void setWork(const QString& words, double fraction);
   void say(const QString& sentence);
+  void setCompact(bool compact);
 
  private:
   QLabel* work_;

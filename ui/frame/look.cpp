@@ -1,129 +1,85 @@
 #include "ui/frame/look.h"
 
 #include <QApplication>
-#include <QFontDatabase>
-#include <QPainter>
 #include <QPalette>
-#include <QProxyStyle>
 #include <QScreen>
-#include <QStyleFactory>
-#include <QStyleOption>
 #include <QWidget>
 #include <algorithm>
-#include <cmath>
+
+#include "ui/frame/style.h"
 
 namespace ostraka::ui {
 namespace {
 
-constexpr double kMillimetresPerInch = 25.4;
-constexpr double kTarget_mm = 12;
-constexpr double kPressedFrame = 2;  // pixels
-constexpr const char* kSunlightProperty = "ostrakaSunlight";
+constexpr double kPointsPerPixel = 72.0 / 96.0;
+constexpr double kControlLines = 1.75, kPrimaryLines = 2.4;  // heights in lines of text
 constexpr const char* kPlainPointSize = "ostrakaPlainPointSize";
 constexpr const char* kPlainPalette = "ostrakaPlainPalette";
 
-QPalette palette(const QColor& window, const QColor& base, const QColor& text, const QColor& button,
-                 const QColor& highlight, const QColor& faint) {
-  QPalette made(button, window);
-  made.setColor(QPalette::Window, window);
-  made.setColor(QPalette::Base, base);
-  made.setColor(QPalette::AlternateBase, window);
-  made.setColor(QPalette::Button, button);
+constexpr QColor rgb(int code) {
+  return {(code >> 16) & 0xff, (code >> 8) & 0xff, code & 0xff};
+}
+
+constexpr Colours kLight = {
+    rgb(0xf7f6f3), rgb(0xffffff), rgb(0xffffff), rgb(0xd8d5ce), rgb(0x8a857b), 1,
+    rgb(0x1d1c1a), rgb(0x5d5a54), rgb(0x98948c), rgb(0x1c66a8), rgb(0xffffff), rgb(0x2c7a3f),
+    rgb(0x8a5200), rgb(0xb3261e), rgb(0x0072b2), rgb(0xd55e00)};
+constexpr Colours kDark = {
+    rgb(0x17181a), rgb(0x202225), rgb(0x292c30), rgb(0x3a3e43), rgb(0x868b91), 1,
+    rgb(0xeceae6), rgb(0xa8a49d), rgb(0x6c6964), rgb(0x5aa9ee), rgb(0x10151a), rgb(0x7bc68c),
+    rgb(0xe7b15a), rgb(0xf2887f), rgb(0x56b4e9), rgb(0xe69f00)};
+constexpr Colours kSunlight = {
+    rgb(0xffffff), rgb(0xffffff), rgb(0xffffff), rgb(0x000000), rgb(0x000000), 2,
+    rgb(0x000000), rgb(0x000000), rgb(0x6b6b6b), rgb(0x003a7a), rgb(0xffffff), rgb(0x1f5c2e),
+    rgb(0x6b3f00), rgb(0x8c1a14), rgb(0x0072b2), rgb(0xd55e00)};
+constexpr QColor kMatte = rgb(0x26282b);
+
+QPalette filled(const Colours& c) {
+  QPalette made(c.raised, c.page);
+  made.setColor(QPalette::Window, c.page);
+  made.setColor(QPalette::Base, c.surface);
+  made.setColor(QPalette::AlternateBase, c.page);
+  made.setColor(QPalette::Button, c.raised);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
                                          QPalette::ToolTipText, QPalette::BrightText})
-    made.setColor(role, text);
-  made.setColor(QPalette::ToolTipBase, base);
-  made.setColor(QPalette::PlaceholderText, faint);
-  if (window.lightnessF() < 0.5F)  // what Qt derives for lines is darker than the dark behind them
-    made.setColor(QPalette::Mid,
-                  QColor((faint.red() + window.red()) / 2, (faint.green() + window.green()) / 2,
-                         (faint.blue() + window.blue()) / 2));
-  made.setColor(QPalette::Highlight, highlight);
-  made.setColor(QPalette::HighlightedText,
-                highlight.lightnessF() > 0.55 ? QColor(Qt::black) : QColor(Qt::white));
-  made.setColor(QPalette::Link, highlight);
-  made.setColor(QPalette::LinkVisited, highlight);
+    made.setColor(role, c.text);
+  made.setColor(QPalette::ToolTipBase, c.raised);
+  made.setColor(QPalette::PlaceholderText, c.secondary);
+  made.setColor(QPalette::Mid, c.border);
+  made.setColor(QPalette::Dark, c.control);
+  made.setColor(QPalette::Highlight, c.accent);
+  made.setColor(QPalette::HighlightedText, c.on_accent);
+  made.setColor(QPalette::Link, c.accent);
+  made.setColor(QPalette::LinkVisited, c.accent);
   for (const QPalette::ColorRole role :
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    made.setColor(QPalette::Disabled, role, faint);
+    made.setColor(QPalette::Disabled, role, c.disabled);
   return made;
 }
 
-// Fusion, with icons as large as the letters and thick lines where the sun shines on the screen.
-class OstrakaStyle final : public QProxyStyle {
- public:
-  OstrakaStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("fusion"))) {}
-
-  int pixelMetric(PixelMetric metric, const QStyleOption* option,
-                  const QWidget* widget) const override {
-    int usual = QProxyStyle::pixelMetric(metric, option, widget);
-    // Icons grow with the letters that they stand beside.
-    if (metric == PM_ButtonIconSize || metric == PM_SmallIconSize || metric == PM_TabBarIconSize ||
-        metric == PM_LineEditIconSize)
-      usual = std::max(usual, QFontMetrics(QApplication::font()).height());
-    if (metric == PM_IndicatorWidth || metric == PM_IndicatorHeight ||
-        metric == PM_ExclusiveIndicatorWidth || metric == PM_ExclusiveIndicatorHeight ||
-        metric == PM_SliderThickness || metric == PM_SliderLength)
-      usual = std::max(usual, QFontMetrics(QApplication::font()).height());
-    if (!qApp->property(kSunlightProperty).toBool()) return usual;
-    if (metric == PM_DefaultFrameWidth) return usual + 1;
-    return usual;
-  }
-
-  // Fusion tells what is pressed in, and where one can type, tick or pull, by a shade that the sun
-  // takes away and the dark theme lacks.
-  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                     const QWidget* widget) const override {
-    QProxyStyle::drawPrimitive(element, option, painter, widget);
-    const QPalette& colours = option->palette;
-    const bool button = element == PE_PanelButtonTool || element == PE_PanelButtonCommand;
-    if (button && (option->state & State_On))
-      frame(*painter, option->rect, colours.color(QPalette::Highlight), kPressedFrame);
-    const QColor faint = colours.color(QPalette::PlaceholderText);
-    if (element == PE_IndicatorCheckBox) frame(*painter, option->rect, faint, 1);
-    if (element == PE_IndicatorRadioButton)
-      frame(*painter, option->rect, faint, 1, option->rect.height() / 2.0);
-    if (element == PE_FrameLineEdit && isDark(colours) && !(option->state & State_HasFocus))
-      frame(*painter, option->rect, faint, 1);
-  }
-
-  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
-                          QPainter* painter, const QWidget* widget) const override {
-    QProxyStyle::drawComplexControl(control, option, painter, widget);
-    if (!isDark(option->palette)) return;
-    const QColor faint = option->palette.color(QPalette::PlaceholderText);
-    if (control == CC_SpinBox && !(option->state & State_HasFocus))
-      frame(*painter, option->rect, faint, 1);
-    if (control == CC_Slider)
-      frame(*painter, subControlRect(CC_Slider, option, SC_SliderHandle, widget), faint, 1);
-  }
-
-  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
-                QStyleHintReturn* data) const override {
-    // Menus and tool tips stay where the hand left them; nothing fades or slides.
-    if (hint == SH_Widget_Animate || hint == SH_Widget_Animation_Duration) return 0;
-    return QProxyStyle::styleHint(hint, option, widget, data);
-  }
-
- private:
-  static bool isDark(const QPalette& colours) {
-    return colours.color(QPalette::Window).lightnessF() < 0.5F;
-  }
-
-  static void frame(QPainter& painter, const QRect& where, const QColor& colour, double wide,
-                    double corner = 2) {
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colour, wide));
-    painter.setBrush(Qt::NoBrush);
-    const double inwards = wide / 2;
-    painter.drawRoundedRect(QRectF(where).adjusted(inwards, inwards, -inwards, -inwards), corner,
-                            corner);
-    painter.restore();
-  }
-};
-
 }  // namespace
+
+const Colours& coloursOf(Theme theme) {
+  return theme == Theme::Dark ? kDark : theme == Theme::Sunlight ? kSunlight : kLight;
+}
+
+const Colours& coloursOf(const QPalette& palette) {
+  if (palette.color(QPalette::Base).lightnessF() < 0.5F) return kDark;
+  return palette.color(QPalette::Highlight) == kSunlight.accent ? kSunlight : kLight;
+}
+
+const PhotographInks& photographInks() {
+  static constexpr PhotographInks kInks = {
+      QColor(0, 0, 0, 170),      rgb(0xffffff),           rgb(0xffff00),
+      QColor(255, 255, 0, 60),   rgb(0x56b4e9),           rgb(0xff9466),
+      QColor(255, 255, 255, 46), QColor(0, 90, 190, 160), QColor(255, 255, 255, 160)};
+  return kInks;
+}
+
+const PaperInks& paperInks() {
+  static constexpr PaperInks kInks = {rgb(0xffffff), rgb(0x000000), rgb(0xa0a0a0), rgb(0xffff00)};
+  return kInks;
+}
 
 QString themeName(Theme theme) {
   switch (theme) {
@@ -140,38 +96,39 @@ QString themeName(Theme theme) {
 }
 
 Theme themeFromName(const QString& name) {
-  for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight})
+  for (const Theme theme : {Theme::System, Theme::Dark, Theme::Sunlight})
     if (themeName(theme) == name) return theme;
-  return Theme::System;
+  return Theme::Light;
 }
 
+// A desktop's own colours are not known to go together with ours: only its lightness is taken.
 QPalette paletteOf(Theme theme, const QPalette& system) {
-  switch (theme) {
-    case Theme::Light:
-      return palette(QColor(0xf3, 0xf1, 0xee), Qt::white, QColor(0x1d, 0x1b, 0x19),
-                     QColor(0xe7, 0xe3, 0xde), QColor(0x00, 0x5f, 0xa3), QColor(0x6b, 0x66, 0x60));
-    case Theme::Dark:
-      return palette(QColor(0x1c, 0x1b, 0x1a), QColor(0x12, 0x11, 0x10), QColor(0xe6, 0xe1, 0xda),
-                     QColor(0x2d, 0x2b, 0x29), QColor(0x62, 0xb8, 0xf5), QColor(0x98, 0x92, 0x8a));
-    case Theme::Sunlight:
-      return palette(Qt::white, Qt::white, Qt::black, Qt::white, Qt::black,
-                     QColor(0x40, 0x40, 0x40));
-    case Theme::System:
-      break;
-  }
-  return system;
+  if (theme == Theme::System)
+    theme = system.color(QPalette::Window).lightnessF() < 0.5F ? Theme::Dark : Theme::Light;
+  return filled(coloursOf(theme));
+}
+
+QPalette mattePalette() {
+  QPalette made = filled(kDark);
+  made.setColor(QPalette::Window, kMatte);
+  made.setColor(QPalette::Base, kMatte);
+  return made;
+}
+
+bool isSunlight() {
+  return QApplication::palette().color(QPalette::Highlight) == kSunlight.accent;
 }
 
 void applyLook(QApplication& application, Theme theme, int text_percent) {
   if (!application.property(kPlainPointSize).isValid()) {
     application.setProperty(kPlainPointSize, application.font().pointSizeF());
-    application.setStyle(new OstrakaStyle);  // the application owns it
     application.setProperty(kPlainPalette, QVariant::fromValue(application.palette()));
+    application.setStyle(makeStyle());  // the application owns it
   }
-  application.setProperty(kSunlightProperty, theme == Theme::Sunlight);
   application.setPalette(paletteOf(theme, application.property(kPlainPalette).value<QPalette>()));
   QFont font = application.font();
-  const double plain = std::max(9.0, application.property(kPlainPointSize).toDouble());
+  const double plain =
+      std::max(kPointsPerPixel * Look::kBody, application.property(kPlainPointSize).toDouble());
   font.setPointSizeF(plain * std::clamp(text_percent, 90, 200) / 100.0);
   font.setBold(theme == Theme::Sunlight);
   const double before = application.font().pointSizeF();
@@ -187,15 +144,18 @@ void applyLook(QApplication& application, Theme theme, int text_percent) {
   }
 }
 
-int targetSize(const QWidget& widget) {
-  const double per_mm = widget.screen()->logicalDotsPerInch() / kMillimetresPerInch;
-  return std::max(static_cast<int>(std::lround(kTarget_mm * per_mm)),
-                  static_cast<int>(2.4 * widget.fontMetrics().height()));
+int controlHeight(const QWidget& widget) {
+  return std::max(Look::kControl, static_cast<int>(kControlLines * widget.fontMetrics().height()));
 }
 
-QFont scaledFont(const QWidget& widget, double factor) {
+int targetSize(const QWidget& widget) {
+  return std::max(Look::kPrimary, static_cast<int>(kPrimaryLines * widget.fontMetrics().height()));
+}
+
+QFont scaledFont(const QWidget& widget, double factor, bool semibold) {
   QFont font = widget.font();
   font.setPointSizeF(QApplication::font().pointSizeF() * factor);
+  if (semibold) font.setWeight(QFont::DemiBold);
   return font;
 }
 
@@ -207,9 +167,8 @@ QFont tabularFont(const QFont& font) {
 }
 
 double lineWidth(const QWidget& widget, double weight) {
-  const bool sunlight = qApp->property(kSunlightProperty).toBool();
   const double base = std::max(1.0, widget.fontMetrics().height() / 16.0);
-  return base * weight * (sunlight ? 2 : 1);
+  return base * weight * (isSunlight() ? 2 : 1);
 }
 
 }  // namespace ostraka::ui

@@ -1,5 +1,6 @@
 #include "ui/frame/message_panel.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,9 +32,9 @@ MessagePanel::MessagePanel(QWidget* parent)
   words_->setAccessibleName(tr("What happened"));
   act_->setObjectName(QStringLiteral("messageAct"));
   second_->setObjectName(QStringLiteral("messageSecondAct"));
-  second_->setText(tr("Leave it"));
+  second_->setText(tr("Dismiss"));
   second_->hide();
-  act_->setText(tr("All right"));
+  act_->setText(tr("OK"));
   auto* text = new QVBoxLayout;
   text->addWidget(headline_);
   text->addWidget(words_);
@@ -72,6 +73,15 @@ void MessagePanel::setSecondAct(const QString& act) {
   second_->setVisible(!act.isEmpty());
 }
 
+QAbstractButton* MessagePanel::act() const {
+  return isHidden() || act_->isHidden() ? nullptr : act_;
+}
+
+void MessagePanel::setCompact(bool compact) {
+  compact_ = compact;
+  lay();
+}
+
 QString MessagePanel::headline() const {
   return headline_->text();
 }
@@ -91,23 +101,22 @@ void MessagePanel::lay() {
   QPalette ground;  // the one colour only: buttons on it follow the theme
   ground.setColor(QPalette::Window, colours.behind(failed_ ? State::Failed : State::Ask));
   if (ground.color(QPalette::Window) != palette().color(QPalette::Window)) setPalette(ground);
-  headline_->setFont(scaledFont(*this, 1.4));
-  words_->setFont(scaledFont(*this, 1.25));
-  const int size = fontMetrics().height() * 2;
+  headline_->setFont(scaledFont(*this, Look::kSection, true));
+  words_->setFont(scaledFont(*this, compact_ ? 1 : Look::kSection));
+  const int size = Look::kIcon * (compact_ ? 1 : 2);
+  const State state = failed_ ? State::Failed : State::Ask;
   picture_->setPixmap(
-      icon(failed_ ? QStringLiteral("error") : QStringLiteral("warning")).pixmap(size, size));
-  second_->setMinimumHeight(targetSize(*this));
+      icon(failed_ ? QStringLiteral("error") : QStringLiteral("warning"), colours.of(state))
+          .pixmap(size, size));
 }
 
 EmptyState::EmptyState(const QString& icon_name, const QString& headline, const QString& words,
                        QWidget* parent)
-    : QWidget(parent) {
-  auto* picture = new QLabel(this);
-  const int size = fontMetrics().height() * 5;
-  picture->setPixmap(icon(icon_name).pixmap(size, size));
-  picture->setAlignment(Qt::AlignCenter);
+    : QWidget(parent), icon_name_(icon_name) {
+  picture_ = new QLabel(this);
+  picture_->setAlignment(Qt::AlignCenter);
   auto* title = new QLabel(headline, this);
-  title->setFont(scaledFont(*this, 1.6));
+  title->setFont(scaledFont(*this, Look::kTitle, true));
   title->setAlignment(Qt::AlignCenter);
   title->setWordWrap(true);
   words_ = new QLabel(words, this);
@@ -118,10 +127,10 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
   acts_ = acts;
   auto* column = new QVBoxLayout(this);
   column->addStretch(2);
-  column->addWidget(picture);
+  column->addWidget(picture_);
   column->addWidget(title);
   column->addWidget(words_, 0, Qt::AlignHCenter);
-  column->addSpacing(fontMetrics().height());
+  column->addSpacing(Look::kGap);
   column->addLayout(acts);
   column->addStretch(3);
   lay();
@@ -129,13 +138,15 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
 
 void EmptyState::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) lay();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) lay();
 }
 
 // A layout would give the words a column's width or a line's height.
 void EmptyState::lay() {
   const int width = fontMetrics().averageCharWidth() * 65;
   words_->setFixedSize(width, words_->heightForWidth(width));
+  const QColor ink = coloursOf(palette()).secondary;
+  picture_->setPixmap(icon(icon_name_, ink).pixmap(Look::kEmptyIcon, Look::kEmptyIcon));
 }
 
 QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {
@@ -146,7 +157,7 @@ QPushButton* EmptyState::addAct(const QString& text, const QString& object_name)
     button = new QPushButton(this);
   button->setText(text);
   button->setObjectName(object_name);
-  button->setMinimumHeight(targetSize(*this));
+  if (acts_->count() > 0) button->setMinimumHeight(targetSize(*this));
   acts_->addWidget(button);
   return button;
 }

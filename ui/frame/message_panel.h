@@ -4,6 +4,7 @@
 #include "base/result.h"
 #include "ui/words/sentence.h"
 
+class QAbstractButton;
 class QLabel;
 class QPushButton;
 
@@ -25,6 +26,8 @@ class MessagePanel final : public QFrame {
                  const QString& key = {});
   /// A second, smaller act; empty hides it.
   void setSecondAct(const QString& act);
+  QAbstractButton* act() const;  ///< null while it is hidden
+  void setCompact(bool compact);
   QString headline() const;
   QString words() const;
 
@@ -43,7 +46,7 @@ class MessagePanel final : public QFrame {
   QLabel* words_;
   BigButton* act_;
   QPushButton* second_;
-  bool failed_ = true;
+  bool failed_ = true, compact_ = false;
 };
 
 /// A screen without contents says what to do first: a picture, a sentence, one button or several.
@@ -62,7 +65,8 @@ class EmptyState final : public QWidget {
  private:
   void lay();
 
-  QLabel* words_;
+  QLabel *picture_, *words_;
+  QString icon_name_;
   QLayout* acts_;
 };
 

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QEvent>
-#include <QScreen>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -21,7 +20,7 @@ Rail::Rail(QWidget* parent)
     : QFrame(parent), group_(new QActionGroup(this)), column_(new QVBoxLayout(this)) {
   setObjectName(QStringLiteral("rail"));
   setAccessibleName(tr("Stations"));
-  column_->setContentsMargins(4, 4, 4, 4);
+  column_->setContentsMargins(Look::kGap / 2, Look::kGap, Look::kGap / 2, Look::kGap);
   column_->setSpacing(2);
   column_->addStretch(1);
 }
@@ -91,6 +90,12 @@ void Rail::showCount(Station* station, QAction* action, QToolButton* button) {
   lay();
 }
 
+void Rail::fit(const QSize& window) {
+  if (window == window_) return;
+  window_ = window;
+  lay();
+}
+
 void Rail::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::FontChange) lay();
@@ -106,12 +111,13 @@ void Rail::lay() {
     return width;
   };
   const int letter = fontMetrics().height();
-  int picture = letter * 3 / 2;
+  int picture = qMax(Look::kIcon, letter);
   QFont font = this->font();
   font.setBold(true);
   int width = widest(font, QStringLiteral("  000")) + picture + letter * 3 / 2;
   // Large letters on a small screen: the words go below their pictures and leave room to the work.
-  const bool narrow = width > screen()->availableSize().width() / 6;
+  const bool compact = window_.height() < Look::kCompactBelow;
+  const bool narrow = compact || width > window_.width() / 6;
   if (narrow) {
     font.setPointSizeF(kNarrow * font.pointSizeF());
     picture = letter;
@@ -121,7 +127,7 @@ void Rail::lay() {
     font.setBold(button->font().bold());
     button->setFont(font);
     button->setToolButtonStyle(narrow ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonTextBesideIcon);
-    button->setMinimumSize(width, targetSize(*this));
+    button->setMinimumSize(width, compact ? 0 : targetSize(*this));
     button->setIconSize(QSize(picture, picture));
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <QFrame>
+#include <QSize>
 #include <vector>
 
 class QAction;
@@ -24,6 +25,8 @@ class Rail final : public QFrame {
   QAction* addFoot(const QString& icon_name, const QString& text, const QKeySequence& key);
   void select(int index);
   int selected() const;
+  /// Words below their icons where the window is small.
+  void fit(const QSize& window);
 
  signals:
   void selectedChanged(int index);
@@ -40,6 +43,7 @@ class Rail final : public QFrame {
   QVBoxLayout* column_;
   std::vector<QToolButton*> buttons_;
   int stations_ = 0;
+  QSize window_;
 };
 
 }  // namespace ostraka::ui

@@ -3,6 +3,8 @@
 #include <QPalette>
 #include <QString>
 
+#include "ui/frame/look.h"
+
 namespace ostraka::ui {
 
 /// What a colour stands for. Each goes along with a word and an icon or a kind of line.
@@ -13,11 +15,9 @@ enum class State {
   Busy,      ///< being computed
   Waiting,   ///< its turn comes
   Aside,     ///< set aside by a person
-  Front,     ///< the front side: the blue of the paper, solid lines
-  Back,      ///< the back side: the red of the paper, dashed lines
+  Front,     ///< the front side: blue, solid lines
+  Back,      ///< the back side: orange, dashed lines
   Selected,  ///< what the keys act on
-  Near,      ///< a small distance along the rim
-  Far,       ///< a large distance along the rim
 };
 
 /// The colours that have a meaning, for a light or a dark palette; told apart by colour-blind eyes.
@@ -25,13 +25,16 @@ enum class State {
 class StateColours {
  public:
   explicit StateColours(const QPalette& palette);
+  /// For what stands on the dark matte around photographs and models, the same in every theme.
+  static StateColours onMatte();
+  static QColor matte();
+  static QColor inkOnMatte();
   QColor of(State state) const;      ///< for lines, marks and text on the palette's base
   QColor behind(State state) const;  ///< a quiet ground for text of the palette
-  /// From Near to Far: t 0..1, even to the eye.
-  QColor alongRim(double t) const;
   bool dark() const { return dark_; }
 
  private:
+  const Colours& colours_;
   bool dark_;
   QColor base_;
 };

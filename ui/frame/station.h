@@ -2,6 +2,8 @@
 #include <QString>
 #include <QWidget>
 
+class QAbstractButton;
+
 namespace ostraka::ui {
 
 class ProjectSession;
@@ -31,6 +33,14 @@ class Station : public QWidget {
   /// The station comes to the front (true) or leaves it: a live picture may rest.
   virtual void setInFront(bool /*in_front*/) {}
 
+  /// The one filled button: what to do next. Null where there is nothing to do yet.
+  virtual QAbstractButton* primary() const { return nullptr; }
+  /// A window below Look::kCompactBelow: no captions, one line where there were several.
+  virtual void setCompact(bool /*compact*/) {}
+
+  /// Of which batch or bag the screen is, for the line at the head; empty: of the whole project.
+  virtual QString whereWords() const { return {}; }
+
   /// What would be lost if the project were closed now, a sentence; empty: nothing.
   virtual QString losesByClosing() const { return {}; }
 
@@ -43,6 +53,7 @@ class Station : public QWidget {
 
  signals:
   void waitingChanged();
+  void whereChanged();
   /// It does something long of its own: for the line at the foot. fraction < 0: no more.
   void working(const QString& words, double fraction);
   /// One sentence for the line at the foot, e.g. what was just done.

@@ -67,7 +67,7 @@ HelpPage::HelpPage(QWidget* parent)
   const auto add = [this, bar](const QString& text, const QString& object) {
     auto* button = new QPushButton(text, this);
     button->setObjectName(object);
-    button->setMinimumHeight(targetSize(*this) * 3 / 4);
+    button->setMinimumHeight(controlHeight(*this));
     bar->addWidget(button);
     return button;
   };

@@ -5,6 +5,7 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QFileInfo>
+#include <QFontInfo>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QStackedWidget>
@@ -13,6 +14,7 @@
 #include <QToolButton>
 #include <QUndoGroup>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "catalogue/project.h"
@@ -78,6 +80,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kFrame;
     resize(QSize(1280, 760).boundedTo(screen()->availableSize() - QSize(2 * kFrame, frame)));
   }
+  fitToSize();
   followLines();
 }
 
@@ -110,13 +113,16 @@ void MainWindow::buildLayout() {
       followLines();
     });
     connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
+    connect(station, &Station::whereChanged, this, &MainWindow::followLines);
   }
   auto* right = new QVBoxLayout;
+  right->setSpacing(0);
   right->addWidget(header_);
   right->addWidget(pages_, 1);
   right->addWidget(footer_);
   auto* row = new QHBoxLayout(work);
   row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
   row->addWidget(rail_);
   row->addLayout(right, 1);
   settings_page_ = new SettingsPage(all_);
@@ -139,7 +145,7 @@ void MainWindow::buildLayout() {
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
   connect(queue_, &BatchQueue::batchComputed, this,
-          [this](const QString& number) { footer_->say(tr("%1 is computed.").arg(number)); });
+          [this](const QString& number) { footer_->say(tr("%1 is ready.").arg(number)); });
   connect(queue_, &BatchQueue::batchFailed, this,
           [this](const QString& number, const QString& why) {
             footer_->say(tr("%1 stopped: %2").arg(number, why));
@@ -159,7 +165,7 @@ void MainWindow::buildActions() {
   QAction* undo =
       addAct(QStringLiteral("undo"), QStringLiteral("undo"), tr("Undo"), QKeySequence::Undo);
   QAction* redo =
-      addAct(QStringLiteral("redo"), QStringLiteral("redo"), tr("Do again"), QKeySequence::Redo);
+      addAct(QStringLiteral("redo"), QStringLiteral("redo"), tr("Redo"), QKeySequence::Redo);
   undo->setEnabled(false);
   redo->setEnabled(false);
   connect(undo, &QAction::triggered, undo_, &QUndoGroup::undo);
@@ -170,7 +176,7 @@ void MainWindow::buildActions() {
     undo->setText(what.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(what));
   });
   connect(undo_, &QUndoGroup::redoTextChanged, redo, [redo](const QString& what) {
-    redo->setText(what.isEmpty() ? tr("Do again") : tr("Do again: %1").arg(what));
+    redo->setText(what.isEmpty() ? tr("Redo") : tr("Redo: %1").arg(what));
   });
   for (QAction* action : {undo, redo}) {
     auto* button = new QToolButton(header_);
@@ -299,6 +305,21 @@ void MainWindow::closeProject() {
   all_->setCurrentWidget(start_area_);
 }
 
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  fitToSize();
+}
+
+void MainWindow::fitToSize() {
+  // Where letters are large, less stands in the same height.
+  const double letters = static_cast<double>(QFontInfo(font()).pixelSize()) / Look::kBody;
+  const bool compact = height() < Look::kCompactBelow * std::max(1.0, letters);
+  rail_->fit(size());
+  header_->setCompact(compact);
+  footer_->setCompact(compact);
+  for (Station* station : stations_) station->setCompact(compact);
+}
+
 bool MainWindow::saysWhatIsLost() {
   for (std::size_t i = 0; i < stations_.size() && session_ != nullptr; ++i) {
     const QString loss = stations_[i]->losesByClosing();
@@ -339,6 +360,7 @@ void MainWindow::showStation(int index) {
   rail_->select(index);
   for (std::size_t i = 0; i < stations_.size(); ++i)
     stations_[i]->setInFront(static_cast<int>(i) == index);
+  followLines();
 }
 
 int MainWindow::stationNamed(const QString& icon_name) const {
@@ -406,7 +428,10 @@ void MainWindow::followLines() {
   const QString queued = queue_->workWords();
   const bool other = !other_work_.isEmpty() && !queue_->isBusy();
   footer_->setWork(other ? other_work_ : queued, other ? other_fraction_ : queue_->workFraction());
-  const QString where = capture_station_->placeWords();
+  const QString where =
+      session_ == nullptr || pages_->currentIndex() < 0
+          ? QString()
+          : stations_[static_cast<std::size_t>(pages_->currentIndex())]->whereWords();
   header_->setWhere(where.isEmpty() && session_ != nullptr ? title_ : where);
   header_->setRig(capture_station_->rigWords(), capture_station_->isRigReady());
 }

@@ -63,9 +63,11 @@ class MainWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   bool saysWhatIsLost();
+  void fitToSize();
   void buildStations();
   void buildLayout();
   void buildActions();

@@ -20,6 +20,7 @@
 #include "ui/frame/lines.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/thumbnails.h"
 
 namespace ostraka::ui {
@@ -62,12 +63,12 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
       message_(new MessagePanel(this)) {
   setObjectName(QStringLiteral("start"));
   auto* title = new QLabel(tr("Ostraka"), this);
-  title->setFont(scaledFont(*this, 2.6));
+  title->setFont(scaledFont(*this, Look::kDecides, true));
   auto* words = new QLabel(tr("Potsherds, both sides, complete and measured."), this);
-  words->setFont(scaledFont(*this, 1.2));
+  words->setForegroundRole(QPalette::PlaceholderText);
   auto* columns = new QHBoxLayout;
   columns->addWidget(buildRecent(), 1);
-  columns->addSpacing(fontMetrics().height());
+  columns->addSpacing(Look::kMargin - Look::kGap);
   columns->addWidget(buildNew(), 1);
   message_->setObjectName(QStringLiteral("startMessage"));
   message_->hide();
@@ -78,7 +79,7 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   const auto addSide = [&](const char* name, const char* picture, const QString& text) {
     auto* button = new QPushButton(icon(QLatin1String(picture)), text, this);
     button->setObjectName(QLatin1String(name));
-    button->setMinimumHeight(targetSize(*this) * 3 / 4);
+    button->setMinimumHeight(controlHeight(*this));
     head->addWidget(button);
     return button;
   };
@@ -88,11 +89,10 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   connect(addSide("startHelp", "help", tr("Help")), &QPushButton::clicked, this,
           &StartScreen::manualWanted);
   auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(24, 16, 24, 16);
+  all->setContentsMargins(Look::kMargin, Look::kGap, Look::kMargin, Look::kGap);
   all->addLayout(head);
   all->addWidget(words);
   all->addWidget(message_);
-  all->addSpacing(fontMetrics().height());
   all->addLayout(columns, 1);
   connect(fresh_, &NewProject::changed, this, &StartScreen::follow);
   follow();
@@ -101,16 +101,17 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
 QWidget* StartScreen::buildRecent() {
   auto* box = new QWidget(this);
   auto* label = new QLabel(tr("&Projects"), box);
-  label->setFont(scaledFont(*this, 1.3));
+  label->setFont(scaledFont(*this, Look::kSection, true));
   recent_ = new QListWidget(box);
   recent_->setObjectName(QStringLiteral("recentProjects"));
   label->setBuddy(recent_);
   recent_->setAccessibleName(tr("Projects"));
   const int line = fontMetrics().height();
   recent_->setIconSize(QSize(line * 4, line * 3));
-  no_recent_ = new QLabel(tr("No project yet. Make one, or try everything with the virtual rig: it "
-                             "breaks a pot and photographs its sherds for you."),
-                          box);
+  no_recent_ =
+      new QLabel(tr("No project yet. Create one, or try everything with the virtual rig: it "
+                    "breaks a pot and photographs its sherds for you."),
+                 box);
   no_recent_->setWordWrap(true);
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* open = new QPushButton(icon(QStringLiteral("open")), tr("&Open a project…"), box);
@@ -118,7 +119,7 @@ QWidget* StartScreen::buildRecent() {
   try_ = new BigButton(box);
   try_->setText(tr("Try with the virtual rig"));
   try_->setObjectName(QStringLiteral("tryVirtualRig"));
-  open->setMinimumHeight(targetSize(*this));
+  open->setMinimumHeight(controlHeight(*this));
   connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     const QString folder = item->data(Qt::UserRole).toString();
     isThere(folder) ? emit opened(folder) : findLost(folder);
@@ -146,7 +147,7 @@ QWidget* StartScreen::buildNew() {
   const auto field = [this, box](const QString& object) {
     auto* edit = new QLineEdit(box);
     edit->setObjectName(object);
-    edit->setMinimumHeight(targetSize(*this) * 3 / 4);
+    edit->setMinimumHeight(controlHeight(*this));
     return edit;
   };
   name_ = field(QStringLiteral("newName"));
@@ -162,31 +163,30 @@ QWidget* StartScreen::buildNew() {
   browse->setObjectName(QStringLiteral("newBrowse"));
   example_ = new QLabel(box);
   example_->setObjectName(QStringLiteral("newExample"));
-  example_->setFont(scaledFont(*this, 1.4));
+  example_->setFont(scaledFont(*this, Look::kSection));
   refusal_ = new QLabel(box);
   refusal_->setWordWrap(true);
   refusal_->setObjectName(QStringLiteral("newRefusal"));
   make_ = new BigButton(box);
-  make_->setText(tr("Make the project"));
+  make_->setText(tr("Create project"));
   make_->setObjectName(QStringLiteral("makeProject"));
   auto* place = new QHBoxLayout;
   place->addWidget(folder_, 1);
   place->addWidget(browse);
-  auto* form = new QFormLayout;
+  auto* fields = new QWidget(box);
+  auto* form = new QFormLayout(fields);
+  form->setContentsMargins(0, 0, 0, 0);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->setVerticalSpacing(fontMetrics().height());
   form->addRow(tr("&Name"), name_);
   form->addRow(tr("&Site code"), site_);
   form->addRow(tr("&Folder"), place);
   if (auto* label = qobject_cast<QLabel*>(form->labelForField(place))) label->setBuddy(folder_);
   folder_->setAccessibleName(tr("Folder"));
   form->addRow(tr("N&umbering"), numbering_);
-  form->addRow(tr("A sherd will be"), example_);
-  centreLabels(*form);
+  form->addRow(tr("Example"), example_);
+  alignForm(*form);
   auto* column = new QVBoxLayout(box);
-  column->addLayout(form);
-  column->addStretch(1);
+  column->addWidget(new PageArea(fields, box), 1);
   column->addWidget(refusal_);
   column->addWidget(make_);
   setTabOrder(folder_, browse);
@@ -220,6 +220,7 @@ void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QStr
     const QPixmap ready = thumbnails_->get(picture, recent_->iconSize() * devicePixelRatioF());
     if (!ready.isNull()) item->setIcon(ready);
   }
+  follow();
   recent_->setVisible(recent_->count() > 0);
   no_recent_->setVisible(recent_->count() == 0);
   if (recent_->count() > 0) recent_->setCurrentRow(0);
@@ -228,7 +229,7 @@ void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QStr
 }
 
 void StartScreen::showError(const Error& error) {
-  message_->showError(error, tr("All right"));
+  message_->showError(error, tr("OK"));
 }
 
 void StartScreen::follow() {
@@ -237,6 +238,9 @@ void StartScreen::follow() {
   const bool untouched = fresh_->siteCode().isEmpty() && fresh_->name().isEmpty();
   refusal_->setText(untouched ? QString() : fresh_->refusal());
   make_->setEnabled(fresh_->canBeMade());
+  // One of them is the next step.
+  make_->setPrimary(fresh_->canBeMade());
+  try_->setPrimary(!fresh_->canBeMade() && recent_->count() == 0);
 }
 
 void StartScreen::chooseFolder() {

@@ -3,7 +3,6 @@
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
-#include <QPalette>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <numeric>
 
 #include "ui/frame/free_tr.h"
+#include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 #include "ui/map/qr_code.h"
 
@@ -38,10 +38,10 @@ QFont numberFont(const QPainter& painter, double height) {
 void paintNumber(QPainter& painter, const QRectF& ground, const QString& text, double height,
                  bool highlighted) {
   painter.setFont(numberFont(painter, height));
-  painter.setPen(QPen(Qt::black, height / 18));
-  painter.setBrush(highlighted ? Qt::yellow : Qt::white);
+  painter.setPen(QPen(paperInks().ink, height / 18));
+  painter.setBrush(highlighted ? paperInks().lit : paperInks().paper);
   painter.drawRoundedRect(ground, 0.25 * height, 0.25 * height);
-  painter.setPen(Qt::black);
+  painter.setPen(paperInks().ink);
   painter.drawText(ground, Qt::AlignCenter, text);
 }
 
@@ -67,7 +67,7 @@ QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
 }
 
 void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label, double per_mm) {
-  painter.setPen(QPen(Qt::gray, 0.1 * per_mm, Qt::DotLine));
+  painter.setPen(QPen(paperInks().faint, 0.1 * per_mm, Qt::DotLine));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(where);
   const QImage code = qrCode(label.code);
@@ -90,7 +90,7 @@ void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label,
          font.pixelSize() > 3 * per_mm)
     font.setPixelSize(font.pixelSize() - std::max(1, static_cast<int>(0.2 * per_mm)));
   painter.setFont(font);
-  painter.setPen(Qt::black);
+  painter.setPen(paperInks().ink);
   QRectF written;
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWrapAnywhere, label.number,
                    &written);
@@ -190,25 +190,25 @@ void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSid
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   if (photograph.isNull()) {
-    painter.fillRect(place, Qt::lightGray);
-    painter.setPen(Qt::black);
+    painter.fillRect(place, paperInks().faint);
+    painter.setPen(paperInks().ink);
     painter.drawText(place, Qt::AlignHCenter | Qt::AlignTop,
                      tr("The photograph is not there any more."));
   } else {
     painter.drawImage(place, photograph);
   }
   const double scale = place.width() / std::max(1, side.width);
-  const StateColours colours{QPalette(Qt::black)};  // photographs are dark in every theme
+  const StateColours colours = StateColours::onMatte();  // photographs are dark in every theme
   for (const MapMark& mark : side.marks) {
     const bool lit = !mark.number.empty() && QString::fromStdString(mark.number) == highlighted;
     QPolygonF outline;
     for (const Eigen::Vector2d& p : mark.outline)
       outline << place.topLeft() + scale * QPointF(p.x(), p.y());
     const bool doubtful = mark.state == CardState::Ask || mark.state == CardState::Alone;
-    painter.setPen(QPen(lit ? QColor(Qt::yellow) : colours.of(doubtful ? State::Ask : State::Sure),
-                        place.width() / (lit ? 150 : 350),
-                        doubtful ? Qt::DashLine : Qt::SolidLine));
-    painter.setBrush(lit ? QColor(255, 255, 0, 60) : QColor(Qt::transparent));
+    painter.setPen(
+        QPen(lit ? photographInks().lit : colours.of(doubtful ? State::Ask : State::Sure),
+             place.width() / (lit ? 150 : 350), doubtful ? Qt::DashLine : Qt::SolidLine));
+    painter.setBrush(lit ? photographInks().lit_ground : QColor(Qt::transparent));
     painter.drawPolygon(outline);
   }
   // Numbers last, so that no neighbour's outline runs through one.
@@ -229,7 +229,7 @@ void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSid
     const bool lit = !side.marks[i].number.empty() &&
                      QString::fromStdString(side.marks[i].number) == highlighted;
     if (!numbers[i].outline.boundingRect().intersects(grounds[i])) {  // whose is it?
-      painter.setPen(QPen(lit ? Qt::yellow : Qt::white, height / 10));
+      painter.setPen(QPen(lit ? photographInks().lit : photographInks().line, height / 10));
       painter.drawLine(grounds[i].center(), numbers[i].at);
     }
     paintNumber(painter, grounds[i], wordsOf(side.marks[i], final_numbers), height, lit);

@@ -18,7 +18,10 @@
 #include <utility>
 
 #include "catalogue/project.h"
+#include "ui/frame/batch_place.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
@@ -80,9 +83,12 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   print_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   connect(print_action, &QAction::triggered, this, &MapStation::print);
   addAction(print_action);
-  print_ = new QPushButton(tr("Print map and labels   Ctrl+P"), this);
+  print_ = new BigButton(this);
+  print_->setText(tr("Print map and labels"));
+  print_->setKeyHint(QKeySequence(QKeySequence::Print).toString(QKeySequence::NativeText));
+  print_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  print_->setObjectName("printMap");
   print_->setFocusPolicy(Qt::TabFocus);
-  print_->setMinimumHeight(targetSize(*this));
   print_->setEnabled(false);
   connect(print_, &QPushButton::clicked, this, &MapStation::print);
   auto* bags_action = new QAction(tr("Print bag labels"), this);
@@ -91,12 +97,12 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   bags_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   connect(bags_action, &QAction::triggered, this, &MapStation::printBags);
   addAction(bags_action);
-  bags_ = new QPushButton(tr("Bag labels"), this);
+  bags_ = new QPushButton(icon(QStringLiteral("print")), tr("Print bag labels"), this);
   bags_->setToolTip(
       tr("Print a label for each bag; its code gives a batch its context "
          "(Ctrl+Shift+P)"));
   bags_->setFocusPolicy(Qt::TabFocus);
-  bags_->setMinimumHeight(targetSize(*this));
+  bags_->setMinimumHeight(controlHeight(*this));
   bags_->setEnabled(false);
   connect(bags_, &QPushButton::clicked, this, &MapStation::printBags);
   view_ = new MapView(this);
@@ -104,11 +110,23 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   auto* head = new QHBoxLayout;
   head->addWidget(batches_);
   head->addWidget(message_, 1);
-  head->addWidget(bags_);
-  head->addWidget(print_);
+  auto* foot = new QHBoxLayout;
+  foot->addStretch();
+  foot->addWidget(bags_);
+  foot->addWidget(print_);
+  empty_ = new EmptyState(QStringLiteral("map"), tr("No map yet"),
+                          tr("Photograph or import a batch. When it is processed, its map shows "
+                             "which sherd lay where."),
+                          this);
+  to_capture_ = empty_->addAct(tr("Capture a batch"), QStringLiteral("mapToCapture"));
+  connect(to_capture_, &QPushButton::clicked, this,
+          [this] { emit wantsStation(QStringLiteral("capture"), {}); });
   auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addLayout(head);
   all->addWidget(view_, 1);
+  all->addWidget(empty_, 1);
+  all->addLayout(foot);
   setFocusProxy(view_);
   connect(batches_, &QComboBox::activated, this,
           [this](int index) { openBatch(batches_->itemText(index)); });
@@ -147,12 +165,22 @@ void MapStation::closeProject() {
   bags_->setEnabled(false);
 }
 
+QAbstractButton* MapStation::primary() const {
+  return empty_->isHidden() ? static_cast<QAbstractButton*>(print_) : to_capture_;
+}
+
 void MapStation::setInFront(bool in_front) {
   if (in_front) view_->setFocus();
 }
 
 QString MapStation::chosen() const {
   return batch_.isEmpty() ? QString() : kPlate + batch_;
+}
+
+QString MapStation::whereWords() const {
+  return session_ && session_->hasProject() && !batch_.isEmpty()
+             ? batchWords(session_->project().catalogue(), batch_)
+             : batch_;
 }
 
 // The batch that was reviewed is the one whose map is wanted.
@@ -174,14 +202,17 @@ void MapStation::listBatches() {
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
-  // Said on this page alone: the window's foot belongs to the station in front.
-  if (names.isEmpty()) message_->setText(tr("No batch is computed yet; its map appears here."));
+  empty_->setVisible(names.isEmpty());
+  for (QWidget* part : {static_cast<QWidget*>(batches_), static_cast<QWidget*>(view_),
+                        static_cast<QWidget*>(print_)})
+    part->setVisible(!names.isEmpty());
 }
 
 // Two photographs are read, and an outline for each sherd: not while nobody looks.
 void MapStation::showBatch(const QString& batch) {
   if (isVisible()) return openBatch(batch);
   batch_ = stale_ = batch;
+  emit whereChanged();
   batches_->setCurrentText(batch);
 }
 
@@ -198,6 +229,7 @@ void MapStation::openBatch(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   const QString lit = batch == batch_ ? view_->highlighted() : QString();
   batch_ = batch;
+  emit whereChanged();
   stale_.clear();
   batches_->setCurrentText(batch);
   message_->clear();

@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace ostraka::ui {
 
+class BigButton;
+class EmptyState;
 class MapView;
 struct PlateSherd;
 
@@ -28,7 +30,9 @@ class MapStation final : public Station {
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;
+  QAbstractButton* primary() const override;
   QString chosen() const override;
+  QString whereWords() const override;
   void takeChosen(const QString& what) override;
 
   /// As the catalogue has them; before it has, with the batch's and the sherd's number. None for
@@ -64,7 +68,9 @@ class MapStation final : public Station {
   QComboBox* batches_ = nullptr;
   QLabel* message_ = nullptr;
   MapView* view_ = nullptr;
-  QPushButton *print_ = nullptr, *bags_ = nullptr;
+  BigButton* print_ = nullptr;
+  EmptyState* empty_ = nullptr;
+  QPushButton *bags_ = nullptr, *to_capture_ = nullptr;
   QPointer<JobHandle> opening_;
 };
 

@@ -13,6 +13,8 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Plate, front and back"));
+  setPalette(mattePalette());
+  setAutoFillBackground(true);
 }
 
 void MapView::setPicture(const MapPicture& picture) {

@@ -3,14 +3,15 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/frame/flow_row.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/tool_row.h"
 #include "ui/masks/mask_model.h"
 #include "ui/masks/mask_view.h"
 
@@ -34,9 +35,9 @@ MaskPage::MaskPage(QWidget* parent)
   sherd_ = addAct("masksSherd", QStringLiteral("sherd"), tr("Sherd"), Qt::Key_S);
   plate_ = addAct("masksPlate", QStringLiteral("turntable"), tr("Plate"), Qt::Key_P);
   previous_ =
-      addAct("masksPrevious", QStringLiteral("up"), tr("Photograph before"), Qt::Key_PageUp);
+      addAct("masksPrevious", QStringLiteral("up"), tr("Previous photograph"), Qt::Key_PageUp);
   next_ = addAct("masksNext", QStringLiteral("down"), tr("Next photograph"), Qt::Key_PageDown);
-  compute_ = addAct("masksCompute", QStringLiteral("retry"), tr("Compute with these"), Qt::Key_C);
+  compute_ = addAct("masksCompute", QStringLiteral("retry"), tr("Reprocess"), Qt::Key_C);
   previous_->setAutoRepeat(true);
   next_->setAutoRepeat(true);
   auto* brush = new QActionGroup(this);
@@ -80,13 +81,13 @@ QAction* MaskPage::addAct(const char* name, const QString& icon_name, const QStr
 
 void MaskPage::buildLayout() {
   view_->setObjectName(QStringLiteral("maskView"));
-  title_->setFont(scaledFont(*this, 1.3));
+  title_->setFont(scaledFont(*this, Look::kSection, true));
   title_->setObjectName(QStringLiteral("masksTitle"));
   told_->setObjectName(QStringLiteral("masksTold"));
   told_->setWordWrap(true);
   which_->setObjectName(QStringLiteral("masksWhich"));
   which_->setAccessibleName(tr("Photograph"));
-  which_->setMinimumHeight(targetSize(*this));
+  which_->setMinimumHeight(controlHeight(*this));
   which_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   width_->setObjectName(QStringLiteral("masksWidth"));
   width_->setRange(kLeastWidth_px, kMostWidth_px);
@@ -99,30 +100,30 @@ void MaskPage::buildLayout() {
   brush_row->setContentsMargins(0, 0, 0, 0);
   brush_row->addWidget(width_label);
   brush_row->addWidget(width_);
-  brush->setMinimumHeight(targetSize(*this));
-  const auto button = [this](QAction* action) {
-    auto* one = new QToolButton(this);
-    one->setDefaultAction(action);
-    one->setObjectName(action->objectName() + QStringLiteral("Button"));
-    one->setAccessibleName(action->text());
-    one->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    one->setMinimumHeight(targetSize(*this));
-    return one;
-  };
-  auto* head = new QHBoxLayout;
-  head->addWidget(title_, 1);
-  head->addWidget(button(back_));
-  auto* bar = new FlowRow;
-  bar->addWidget(which_);
-  for (QAction* action : {previous_, next_, sherd_, plate_}) bar->addWidget(button(action));
-  bar->addWidget(brush);
-  bar->addWidget(button(compute_));
+  brush->setMinimumHeight(controlHeight(*this));
+  tools_ = new ToolRow(this);
+  tools_->addWidget(which_);
+  tools_->addWidget(brush);
+  tools_->addGroup(tr("Photograph"), {previous_, next_});
+  tools_->addGroup(tr("Brush"), {sherd_, plate_});
+  tools_->addGroup({}, {back_});
+  reprocess_ = new BigButton(this);
+  reprocess_->setObjectName(QStringLiteral("masksComputeButton"));
+  reprocess_->setText(compute_->text());
+  reprocess_->setKeyHint(compute_->shortcut().toString(QKeySequence::NativeText));
+  reprocess_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  connect(reprocess_, &QPushButton::clicked, compute_, &QAction::trigger);
+  connect(compute_, &QAction::changed, this,
+          [this] { reprocess_->setEnabled(compute_->isEnabled()); });
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(tools_, 1);
+  foot->addWidget(reprocess_, 0, Qt::AlignBottom);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  all->addLayout(head);
+  all->addWidget(title_);
   all->addWidget(told_);
   all->addWidget(view_, 1);
-  all->addLayout(bar);
+  all->addLayout(foot);
   // Plus and minus belong to the picture and need no button.
   for (const auto& [key, factor] :
        {std::pair(Qt::Key_Plus, 1.25), std::pair(Qt::Key_Minus, 1 / 1.25)}) {
@@ -140,6 +141,15 @@ void MaskPage::openBatch(ProjectSession& session, const QString& batch) {
   told_->clear();
   model_->openBatch(session, batch);
   view_->setFocus();
+}
+
+QAbstractButton* MaskPage::primary() const {
+  return reprocess_;
+}
+
+void MaskPage::setCompact(bool compact) {
+  tools_->setCompact(compact);
+  told_->setVisible(!compact);
 }
 
 void MaskPage::closeBatch() {
@@ -162,7 +172,7 @@ void MaskPage::showModel() {
   which_->setCurrentIndex(model_->index());
   previous_->setEnabled(model_->index() > 0);
   next_->setEnabled(model_->index() + 1 < model_->count());
-  view_->setPicture(model_->photograph(), tr("The photograph is being read."));
+  view_->setPicture(model_->photograph(), tr("Loading photograph…"));
   showTold();
 }
 
@@ -171,10 +181,10 @@ void MaskPage::showTold() {
   if (model_->index() < 0) return;
   told_->setText(
       model_->mended() > 0
-          ? tr("%n photograph(s) mended; what follows from them is computed again.", nullptr,
+          ? tr("%n photograph(s) edited. Reprocess to update what follows from them.", nullptr,
                model_->mended())
-          : tr("What is veiled in blue is taken for sherd. Paint what is missing, or as plate what "
-               "is too much; the program's own masks stay."));
+          : tr("Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; "
+               "the program's own masks stay."));
 }
 
 }  // namespace ostraka::ui

@@ -1,6 +1,7 @@
 #pragma once
 #include <QWidget>
 
+class QAbstractButton;
 class QAction;
 class QComboBox;
 class QKeySequence;
@@ -9,9 +10,11 @@ class QSlider;
 
 namespace ostraka::ui {
 
+class BigButton;
 class MaskModel;
 class MaskView;
 class ProjectSession;
+class ToolRow;
 
 /// Shows the masks of a batch and lets a person mend them with a brush.
 class MaskPage final : public QWidget {
@@ -21,6 +24,8 @@ class MaskPage final : public QWidget {
   explicit MaskPage(QWidget* parent = nullptr);
   void openBatch(ProjectSession& session, const QString& batch);
   void closeBatch();
+  QAbstractButton* primary() const;
+  void setCompact(bool compact);
 
  signals:
   void closed();
@@ -40,6 +45,8 @@ class MaskPage final : public QWidget {
   QLabel *title_, *told_;
   QComboBox* which_;
   QSlider* width_;
+  ToolRow* tools_;
+  BigButton* reprocess_;
   QAction *back_, *sherd_, *plate_, *next_, *previous_, *compute_;
 };
 

@@ -28,6 +28,7 @@ MaskView::MaskView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Photograph with its mask"));
   setAccessibleDescription(
       tr("The arrows move the brush, Space paints, plus and minus enlarge and reduce."));
+  setPalette(mattePalette());
 }
 
 QSize MaskView::sizeHint() const {
@@ -114,7 +115,7 @@ void MaskView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (photograph_.isNull()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.setFont(scaledFont(*this, 1.3));
+    painter.setFont(scaledFont(*this, Look::kSection, true));
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, otherwise_);
     return;
   }
@@ -125,14 +126,14 @@ void MaskView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   QPolygonF path;
   for (const QPointF& pixel : path_) path << placeOf(pixel);
-  const QColor ink = paints_sherd_ ? QColor(0, 90, 190, 160) : QColor(255, 255, 255, 160);
+  const QColor ink = paints_sherd_ ? photographInks().sherd_brush : photographInks().plate_brush;
   if (path.size() == 1) path << path.first() + QPointF(0.01, 0);
   painter.setPen(QPen(ink, 2 * radius_px_ * scale(), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(path);
   if (!brush_) return;
   const double radius = radius_px_ * scale();
   for (const auto& [colour, wide] :
-       {std::pair(QColor(0, 0, 0), 3.0), std::pair(QColor(255, 255, 255), 1.0)}) {
+       {std::pair(photographInks().halo, 3.0), std::pair(photographInks().line, 1.0)}) {
     painter.setPen(QPen(colour, lineWidth(*this, wide),
                         paints_sherd_ || wide > 1 ? Qt::SolidLine : Qt::DashLine));
     painter.setBrush(Qt::NoBrush);

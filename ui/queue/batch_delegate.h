@@ -4,6 +4,7 @@
 namespace ostraka::ui {
 
 class BatchQueue;
+struct QueueRow;
 class Thumbnails;
 
 /// A row of the queue: picture, number, state in words with its icon, bar with stage and time left,
@@ -20,7 +21,8 @@ class BatchDelegate final : public QStyledItemDelegate {
              const QModelIndex& index) const override;
 
  private:
-  class Row;
+  static void drawProgress(QPainter& painter, const QStyleOptionViewItem& option,
+                           const QueueRow& row, const QRect& where);
 
   const BatchQueue& queue_;
   Thumbnails* thumbnails_ = nullptr;

@@ -9,6 +9,7 @@
 #include "catalogue/project.h"
 #include "catalogue/review_decisions.h"
 #include "pipeline/mask_strokes.h"
+#include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
@@ -124,6 +125,7 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
   row.batch_row = batch.row.value;
   row.state = stateOf(batch.state);
   row.scale_doubts = wordsOf(batch.scale_doubts);
+  row.about = aboutBatch(project.catalogue(), batch);
   if (row.number == busy_number_) {
     row.state = paused_ ? QueueState::Paused : QueueState::Busy;
     if (job_ != nullptr) row.progress = job_->progress();

@@ -40,7 +40,7 @@ struct QueueRow {
   bool masks_mended = false;  ///< Review: since its results were computed
   QString scale_doubts;       ///< why no measure is sure, a sentence a line
   std::optional<BatchFigures> figures;
-  QString picture;  ///< a photograph of the front; empty when there is none
+  QString picture, about;  ///< a photograph of the front; bag, day and count where known
 };
 
 /// The batches of the project, newest first, and their computation one after the other. What is

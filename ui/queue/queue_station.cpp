@@ -2,21 +2,24 @@
 
 #include <QAction>
 #include <QDesktopServices>
+#include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "ui/frame/flow_row.h"
+#include "catalogue/project.h"
+#include "ui/frame/batch_place.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
+#include "ui/frame/tool_row.h"
 #include "ui/masks/mask_page.h"
 #include "ui/queue/batch_delegate.h"
 #include "ui/queue/batch_queue.h"
@@ -42,27 +45,30 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   setObjectName(QStringLiteral("queue"));
   pause_ = addAct(QStringLiteral("queuePause"), QStringLiteral("pause"), tr("Pause"),
                   QKeySequence(Qt::Key_Space));
-  again_ = addAct(QStringLiteral("queueAgain"), QStringLiteral("retry"), tr("Compute again"),
+  again_ = addAct(QStringLiteral("queueAgain"), QStringLiteral("retry"), tr("Reprocess"),
                   QKeySequence(Qt::Key_R));
-  cancel_ = addAct(QStringLiteral("queueCancel"), QStringLiteral("cancel"), tr("Stop this batch"),
+  cancel_ = addAct(QStringLiteral("queueCancel"), QStringLiteral("cancel"), tr("Cancel"),
                    QKeySequence(Qt::Key_Delete));
-  report_ = addAct(QStringLiteral("queueReport"), QStringLiteral("report"), tr("Report"),
-                   QKeySequence(Qt::Key_Return));
-  review_ = addAct(QStringLiteral("queueReview"), QStringLiteral("review"), tr("Review it"),
+  report_ = addAct(QStringLiteral("queueReport"), QStringLiteral("report"), tr("Show report"),
+                   QKeySequence(Qt::Key_O));
+  review_ = addAct(QStringLiteral("queueReview"), QStringLiteral("review"), tr("Review"),
                    QKeySequence(Qt::Key_V));
-  masks_ = addAct(QStringLiteral("queueMasks"), QStringLiteral("edit"), tr("Mend the masks"),
+  masks_ = addAct(QStringLiteral("queueMasks"), QStringLiteral("edit"), tr("Edit masks"),
                   QKeySequence(Qt::Key_M));
   log_action_ =
       addAct(QStringLiteral("queueLog"), QStringLiteral("log"), tr("Log"), QKeySequence(Qt::Key_L));
   log_action_->setCheckable(true);
+  open_ = addAct(QStringLiteral("queueOpen"), QStringLiteral("open"), tr("Open"),
+                 QKeySequence(Qt::Key_Return));
+  open_->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
   drafts_ = addAct(QStringLiteral("queueDrafts"), QStringLiteral("picture"), tr("Drafts first"),
                    QKeySequence(Qt::Key_D));
   drafts_->setCheckable(true);
   drafts_->setToolTip(
-      tr("Computes each new batch quickly and coarsely, to be looked at while the "
-         "sherds still lie there; computed again it becomes final (D)"));
+      tr("Processes each new batch quickly and coarsely, for a check while the sherds are still "
+         "on the plate; reprocessing makes it final (D)"));
   calibrate_ = addAct(QStringLiteral("queueCalibrate"), QStringLiteral("turntable"),
-                      tr("Calibrate the rig again"), QKeySequence(Qt::Key_C));
+                      tr("Recalibrate rig"), QKeySequence(Qt::Key_C));
   calibrate_->setToolTip(
       tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
   buildLayout();
@@ -95,7 +101,10 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   connect(queue_, &QAbstractItemModel::dataChanged, this, &QueueStation::follow);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &QueueStation::follow);
-  connect(list_, &QListView::activated, this, &QueueStation::openReport);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &Station::whereChanged);
+  connect(list_, &QListView::activated, this, &QueueStation::openSelected);
+  connect(open_, &QAction::triggered, this, &QueueStation::openSelected);
   follow();
 }
 
@@ -114,7 +123,8 @@ void QueueStation::buildLayout() {
   list_->setItemDelegate(delegate_);
   list_->setObjectName(QStringLiteral("queueList"));
   list_->setAccessibleName(tr("Batches"));
-  list_->setUniformItemSizes(true);
+  list_->setUniformItemSizes(false);
+  list_->setResizeMode(QListView::Adjust);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   log_->setReadOnly(true);
   log_->setObjectName(QStringLiteral("queueLogText"));
@@ -125,50 +135,70 @@ void QueueStation::buildLayout() {
   message_->hide();
 
   auto* empty = new EmptyState(QStringLiteral("queue"), tr("No batch yet"),
-                               tr("What you photograph or import is computed here, one batch "
+                               tr("What you photograph or import is processed here, one batch "
                                   "after the other, while you go on working."),
                                this);
-  connect(empty->addAct(tr("Photograph the first batch"), QStringLiteral("queueToCapture")),
-          &QPushButton::clicked, this,
+  to_capture_ = empty->addAct(tr("Capture a batch"), QStringLiteral("queueToCapture"));
+  connect(to_capture_, &QPushButton::clicked, this,
           [this] { emit wantsStation(QStringLiteral("capture"), {}); });
 
-  auto* bar = new FlowRow;
-  for (QAction* action :
-       {pause_, again_, cancel_, report_, review_, masks_, drafts_, calibrate_, log_action_}) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
-    button->setObjectName(action->objectName() + QStringLiteral("Button"));
-    button->setAccessibleName(action->text());
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setMinimumHeight(targetSize(*this));
-    bar->addWidget(button);
-    connect(action, &QAction::changed, button,
-            [action, button] { button->setAccessibleName(action->text()); });
-    connect(action, &QAction::visibleChanged, button,
-            [action, button] { button->setVisible(action->isVisible()); });
-  }
-
-  auto* split = new QSplitter(Qt::Vertical, this);
-  split->addWidget(list_);
-  split->addWidget(log_);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
-  auto* page = new QWidget(this);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(message_);
-  column->addWidget(split, 1);
-  column->addLayout(bar);
-  pages_->addWidget(page);
+  pages_->addWidget(buildList());
   pages_->addWidget(new PageArea(empty, pages_));
   pages_->addWidget(masks_area_);
   auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
     message_->hide();
     queue_->trouble().isEmpty() ? queue_->cancel(asked_about_) : queue_->setPaused(false);
   });
   connect(message_, &MessagePanel::actedSecond, message_, &QWidget::hide);
+}
+
+// Pause and log are in the status bar, on every page.
+QWidget* QueueStation::buildList() {
+  auto* page = new QWidget(this);
+  tools_ = new ToolRow(page);
+  tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, cancel_});
+  tools_->addGroup(tr("Queue"), {drafts_, calibrate_});
+  next_ = new BigButton(page);
+  next_->setObjectName(QStringLiteral("queueNext"));
+  next_->setKeyHint(tr("Enter"));
+  next_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  connect(next_, &QPushButton::clicked, this, &QueueStation::openSelected);
+  auto* split = new QSplitter(Qt::Vertical, page);
+  split->addWidget(list_);
+  split->addWidget(log_);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(tools_, 1);
+  foot->addWidget(next_, 0, Qt::AlignBottom);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(message_);
+  column->addWidget(split, 1);
+  column->addLayout(foot);
+  return page;
+}
+
+QAbstractButton* QueueStation::primary() const {
+  return pages_->currentWidget() == masks_area_ ? masks_page_->primary()
+         : queue_->rowCount() == 0              ? to_capture_
+                                                : next_;
+}
+
+QString QueueStation::whereWords() const {
+  const QString batch = selected();
+  return session_ == nullptr || batch.isEmpty()
+             ? QString()
+             : batchWords(session_->project().catalogue(), batch);
+}
+
+void QueueStation::setCompact(bool compact) {
+  tools_->setCompact(compact);
+  message_->setCompact(compact);
+  masks_page_->setCompact(compact);
 }
 
 QString QueueStation::title() const {
@@ -237,6 +267,7 @@ void QueueStation::follow() {
   const int at = queue_->rowOf(selected());
   const QueueState state = at < 0 ? QueueState::Shooting : queue_->row(at).state;
   followCancel(state, at >= 0 && queue_->row(at).aside);
+  followNext(mending ? QueueState::Shooting : state);
   again_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
                      state == QueueState::Review);
   report_->setEnabled(state == QueueState::Done || state == QueueState::Review ||
@@ -252,7 +283,8 @@ void QueueStation::follow() {
     for (QAction* action : {cancel_, again_, report_, review_, masks_, calibrate_})
       action->setEnabled(false);
   if (!queue_->trouble().isEmpty())
-    message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}}, tr("Go on"));
+    message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}},
+                        tr("Resume"));
   else if (trouble_shown_)
     message_->hide();
   trouble_shown_ = !queue_->trouble().isEmpty();
@@ -261,10 +293,27 @@ void QueueStation::follow() {
   emit waitingChanged();
 }
 
+// What Enter, a double click and the one button do with the batch.
+void QueueStation::followNext(QueueState state) {
+  next_->setText(state == QueueState::Failed ? again_->text()
+                 : state == QueueState::Done ? report_->text()
+                                             : review_->text());
+  next_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
+                    state == QueueState::Review);
+}
+
+void QueueStation::openSelected() {
+  const int at = queue_->rowOf(selected());
+  if (at < 0 || !next_->isEnabled()) return;
+  const QueueState state = queue_->row(at).state;
+  if (state == QueueState::Done) return openReport();
+  (state == QueueState::Failed ? again_ : review_)->trigger();
+}
+
 // One key for what is not wanted any more: what runs is stopped, what has failed is set aside.
 void QueueStation::followCancel(QueueState state, bool aside) {
   const bool failed = state == QueueState::Failed;
-  const QString words = failed ? tr("Set this batch aside") : tr("Stop this batch");
+  const QString words = failed ? tr("Set aside") : tr("Cancel");
   if (cancel_->text() != words) {
     cancel_->setText(words);
     cancel_->setIcon(icon(failed ? QStringLiteral("aside") : QStringLiteral("cancel")));
@@ -274,7 +323,7 @@ void QueueStation::followCancel(QueueState state, bool aside) {
 }
 
 void QueueStation::followPause() {
-  const QString words = queue_->isPaused() ? tr("Go on") : tr("Pause");
+  const QString words = queue_->isPaused() ? tr("Resume") : tr("Pause");
   if (pause_->text() != words) {
     pause_->setText(words);
     pause_->setIcon(icon(queue_->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
@@ -323,11 +372,11 @@ void QueueStation::askOrCancel() {
     return;
   }
   asked_about_ = selected();
-  message_->showWords(tr("Stop %1?").arg(asked_about_),
-                      tr("It has been computed for more than an hour. Whole stages are kept, the "
-                         "present one is lost."),
-                      tr("Stop it"));
-  message_->setSecondAct(tr("Let it go on"));
+  message_->showWords(tr("Cancel %1?").arg(asked_about_),
+                      tr("It has been processing for more than an hour. Finished stages are saved; "
+                         "the current one is lost."),
+                      tr("Cancel it"));
+  message_->setSecondAct(tr("Keep processing"));
 }
 
 }  // namespace ostraka::ui

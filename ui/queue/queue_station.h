@@ -6,6 +6,7 @@
 class QAction;
 class QListView;
 class QPlainTextEdit;
+class QPushButton;
 class QStackedWidget;
 
 namespace ostraka::ui {
@@ -13,10 +14,12 @@ namespace ostraka::ui {
 class BatchDelegate;
 class BatchQueue;
 enum class QueueState;
+class BigButton;
 class MaskPage;
 class PageArea;
 class MessagePanel;
 class Thumbnails;
+class ToolRow;
 
 /// The queue on the screen: a row a batch, pause, cancel, again, report, log.
 class QueueStation final : public Station {
@@ -34,6 +37,9 @@ class QueueStation final : public Station {
   QString waitingText() const override;
   void showItem(const QString& batch) override;
   void setInFront(bool in_front) override;
+  QAbstractButton* primary() const override;
+  QString whereWords() const override;
+  void setCompact(bool compact) override;
 
   QAction* pauseAction() const { return pause_; }
   QAction* logAction() const { return log_action_; }
@@ -47,6 +53,9 @@ class QueueStation final : public Station {
   void follow();
   void followPause();
   void openReport();
+  void openSelected();
+  void followNext(QueueState state);
+  QWidget* buildList();
   void askOrCancel();
   void followCancel(QueueState state, bool aside);
   void showMasks();
@@ -66,7 +75,10 @@ class QueueStation final : public Station {
   MaskPage* masks_page_;
   PageArea* masks_area_;
   QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_,
-      *calibrate_;
+      *calibrate_, *open_;
+  BigButton* next_;
+  QPushButton* to_capture_;
+  ToolRow* tools_;
 };
 
 }  // namespace ostraka::ui

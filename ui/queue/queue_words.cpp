@@ -10,55 +10,55 @@ namespace ostraka::ui {
 QString queueStateWords(QueueState state) {
   switch (state) {
     case QueueState::Shooting:
-      return BatchQueue::tr("being photographed");
+      return BatchQueue::tr("Capturing");
     case QueueState::Waiting:
-      return BatchQueue::tr("waits for its turn");
+      return BatchQueue::tr("Queued");
     case QueueState::Busy:
-      return BatchQueue::tr("is being computed");
+      return BatchQueue::tr("Processing");
     case QueueState::Paused:
-      return BatchQueue::tr("paused");
+      return BatchQueue::tr("Paused");
     case QueueState::Failed:
-      return BatchQueue::tr("stopped");
+      return BatchQueue::tr("Stopped");
     case QueueState::Review:
-      return BatchQueue::tr("wants your eye");
+      return BatchQueue::tr("Needs review");
     case QueueState::Done:
-      return BatchQueue::tr("done");
+      return BatchQueue::tr("Done");
   }
   return {};
 }
 
 QString stateWords(const QueueRow& row) {
   if (row.state == QueueState::Review && row.figures && row.figures->draft)
-    return BatchQueue::tr("a draft: look, then compute it again");
-  if (row.masks_mended) return BatchQueue::tr("masks were mended; to be computed");
+    return BatchQueue::tr("Draft: review it, then reprocess it");
+  if (row.masks_mended) return BatchQueue::tr("Masks edited: reprocess it");
   if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
-    return BatchQueue::tr("the scale is not right: see the report");
+    return BatchQueue::tr("Scale in doubt: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
-    return BatchQueue::tr("decided; to be computed");
-  if (row.aside) return BatchQueue::tr("set aside");
+    return BatchQueue::tr("Decided: reprocess it");
+  if (row.aside) return BatchQueue::tr("Set aside");
   return queueStateWords(row.state);
 }
 
 QString figuresWords(const BatchFigures& figures) {
   const QString sherds = BatchQueue::tr("%n sherd(s)", nullptr, figures.sherds);
   QStringList parts;
-  if (figures.sure > 0) parts << BatchQueue::tr("sure %1").arg(figures.sure);
-  if (figures.decided > 0) parts << BatchQueue::tr("decided %1").arg(figures.decided);
-  if (figures.ask > 0) parts << BatchQueue::tr("ask %1").arg(figures.ask);
+  if (figures.sure > 0) parts << BatchQueue::tr("%1 sure").arg(figures.sure);
+  if (figures.decided > 0) parts << BatchQueue::tr("%1 decided").arg(figures.decided);
+  if (figures.ask > 0) parts << BatchQueue::tr("%1 to review").arg(figures.ask);
   const QString pairs =
       figures.sure == figures.sherds
           ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
           : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
   const QString shown =
-      figures.draft ? BatchQueue::tr("draft, to be computed again; %1").arg(pairs) : pairs;
+      figures.draft ? BatchQueue::tr("draft, to be reprocessed; %1").arg(pairs) : pairs;
   const QString counted =
       figures.counted == 0
           ? shown
           : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(shown);
-  const QString again = figures.reshoot == 0 ? counted
-                                             : BatchQueue::tr("%1; %n to be photographed again",
-                                                              nullptr, figures.reshoot)
-                                                   .arg(counted);
+  const QString again =
+      figures.reshoot == 0
+          ? counted
+          : BatchQueue::tr("%1; %n to reshoot", nullptr, figures.reshoot).arg(counted);
   QString told =
       figures.again == 0
           ? again

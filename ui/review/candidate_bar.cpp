@@ -12,9 +12,14 @@
 #include "ui/review/review_words.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr int kMost = 5, kMostCompact = 2;  // the others are in the menu
+
+}  // namespace
 
 CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+    : QWidget(parent), model_(model), most_(kMost) {
   row_ = new FlowRow(this);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
@@ -23,15 +28,20 @@ CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
   others_->setObjectName("otherBacks");
   others_->setText(tr("Another back …"));
   others_->setPopupMode(QToolButton::InstantPopup);
-  others_->setMinimumHeight(targetSize(*this));
+  others_->setMinimumHeight(controlHeight(*this));
   others_->setFocusPolicy(Qt::TabFocus);
   others_->setMenu(new QMenu(others_));
   connect(others_->menu(), &QMenu::aboutToShow, this, &CandidateBar::fillOthers);
-  row_->addWidget(others_);
   connect(&model_, &PairReviewModel::candidatesChanged, this, &CandidateBar::rebuild);
   connect(&model_, &PairReviewModel::trialChanged, this, &CandidateBar::mark);
   connect(&model_, &PairReviewModel::sceneChanged, this, &CandidateBar::mark);
   connect(&model_, &PairReviewModel::waitingChanged, this, &CandidateBar::rebuild);
+  rebuild();
+}
+
+void CandidateBar::setCompact(bool compact) {
+  if (most_ == (compact ? kMostCompact : kMost)) return;
+  most_ = compact ? kMostCompact : kMost;
   rebuild();
 }
 
@@ -40,7 +50,7 @@ void CandidateBar::rebuild() {
   buttons_.clear();
   const auto& candidates = model_.candidates();
   // Nine keys; the rest is in the menu.
-  const int shown = std::min<int>(5, static_cast<int>(candidates.size()));
+  const int shown = std::min(most_, static_cast<int>(candidates.size()));
   for (int i = 0; i < shown; ++i) {
     auto* button = new QToolButton(this);
     button->setObjectName(QStringLiteral("candidate%1").arg(i + 1));
@@ -62,12 +72,12 @@ void CandidateBar::write(int i) {
   const pipeline::CandidateTable& table = model_.live()->table();
   const bool tried = i == model_.chosen() && model_.trial().made != Made::Program;
   const double rim = !tried ? c.rim_rms_mm : model_.isMeasured() ? model_.fit().rim_rms_mm : 0;
-  const QString back = idOf(table.backs, c.back);
+  const QString back = nameOf(table.backs, c.back);
   const QString score = tried ? madeWord(model_.trial().made) : scoreWords(c.score);
-  QString second = rim > 0 ? tr("rim %1").arg(mm(rim)) : tr("no rim");
+  QString second = rim > 0 ? tr("gap %1").arg(mm(rim)) : tr("no contact");
   const int holder = model_.holderOf(c.back);
   if (holder >= 0 && holder != model_.front())
-    second = tr("%1, with %2").arg(second, idOf(table.fronts, holder));
+    second = tr("%1, with %2").arg(second, nameOf(table.fronts, holder));
   QToolButton* button = buttons_[i];
   button->setText(tr("%1   %2   %3\n%4").arg(QString::number(i + 1), back, score, second));
   button->setAccessibleName(
@@ -98,16 +108,12 @@ void CandidateBar::fillOthers() {
   QMenu* menu = others_->menu();
   menu->clear();
   if (!model_.isOpen()) return;
-  const auto& backs = model_.live()->table().backs;
-  for (int b = 0; b < static_cast<int>(backs.size()); ++b) {
+  const pipeline::CandidateTable& table = model_.live()->table();
+  for (int b = 0; b < static_cast<int>(table.backs.size()); ++b) {
     const int holder = model_.holderOf(b);
-    const QString id = QString::fromStdString(backs[static_cast<std::size_t>(b)].id);
-    const QString words =
-        holder < 0
-            ? tr("%1, nobody's").arg(id)
-            : tr("%1, with %2")
-                  .arg(id, QString::fromStdString(
-                               model_.live()->table().fronts[static_cast<std::size_t>(holder)].id));
+    const QString name = nameOf(table.backs, b);
+    const QString words = holder < 0 ? tr("%1, nobody's").arg(name)
+                                     : tr("%1, with %2").arg(name, nameOf(table.fronts, holder));
     connect(menu->addAction(words), &QAction::triggered, &model_,
             [this, b] { model_.chooseBack(b); });
   }

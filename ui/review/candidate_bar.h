@@ -14,6 +14,9 @@ class CandidateBar final : public QWidget {
 
  public:
   explicit CandidateBar(PairReviewModel& model, QWidget* parent = nullptr);
+  void setCompact(bool compact);  ///< fewer, so that they stand in one row
+  /// The menu of all other backs, to be put where there is room.
+  QToolButton* others() const { return others_; }
 
  protected:
   void changeEvent(QEvent* event) override;  ///< marks follow the theme
@@ -28,6 +31,7 @@ class CandidateBar final : public QWidget {
   FlowRow* row_ = nullptr;
   QList<QToolButton*> buttons_;
   QToolButton* others_ = nullptr;
+  int most_;
 };
 
 }  // namespace ostraka::ui

@@ -31,7 +31,7 @@ void drawFitted(QPainter& painter, const QRectF& where, const QString& words) {
 
 OutlinePlot::OutlinePlot(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Outlines laid over each other, and their turning angles"));
-  setMinimumHeight(fontMetrics().height() * 8);
+  setMinimumHeight(fontMetrics().height() * 5);
 }
 
 void OutlinePlot::setView(const pipeline::PairView& view) {
@@ -93,7 +93,7 @@ void OutlinePlot::paintOutlines(QPainter& painter, const QRectF& where) const {
 }
 
 void OutlinePlot::paintTurns(QPainter& painter, const QRectF& where) const {
-  painter.setPen(QPen(palette().color(QPalette::Mid), 1));
+  painter.setPen(QPen(palette().color(QPalette::Dark), 1));
   painter.drawLine(where.bottomLeft(), where.bottomRight());
   painter.drawLine(where.bottomLeft(), where.topLeft());
   if (view_.front_turns.empty()) return;

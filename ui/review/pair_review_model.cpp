@@ -3,6 +3,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "ui/review/free_words.h"
 #include "ui/review/review_commands.h"
 #include "ui/review/review_words.h"
 #include "ui/words/sentence.h"
@@ -292,7 +293,7 @@ void PairReviewModel::choose(int candidate) {
   // What was decided for this very pair is shown as it was decided.
   if (card() != nullptr && card()->back == c.back) trial = standing(*card());
   trial.shift = c.shift;
-  tryOut(trial, tr("choice of %1").arg(QString::fromStdString(backRef(c.back).id)));
+  tryOut(trial, tr("choice of %1").arg(nameOf(backRef(c.back))));
 }
 
 void PairReviewModel::chooseBack(int back) {
@@ -354,7 +355,7 @@ pipeline::ScanRef PairReviewModel::backRef(int i) const {
 
 QString PairReviewModel::inHand() const {
   const pipeline::ScanRef& scan = trial_.front >= 0 ? frontRef(trial_.front) : backRef(trial_.back);
-  return QString::fromStdString(scan.id);
+  return nameOf(scan);
 }
 
 void PairReviewModel::accept() {
@@ -368,7 +369,7 @@ void PairReviewModel::accept() {
   decision.front_from_back = trial_.front_from_back;
   decision.settle =
       trial_.made == Made::ByHand ? pipeline::Settle::AsGiven : pipeline::Settle::ByRims;
-  const QString front = inHand(), back = QString::fromStdString(backRef(trial_.back).id);
+  const QString front = inHand(), back = nameOf(backRef(trial_.back));
   const pipeline::LiveFit fit = isMeasured() ? fit_ : pipeline::LiveFit{.rim_overlap = 1};
   const std::size_t before = decisions_.size();
   decide(decision, tr("pair %1 – %2").arg(front, back));
@@ -386,7 +387,7 @@ void PairReviewModel::reshoot() {
   if (rowInHand() < 0 || !personIsKnown()) return;
   PairDecision decision = about(DecisionKind::Reshoot);
   if (card() != nullptr && card()->back >= 0) decision.scans.push_back(backRef(card()->back));
-  decide(decision, tr("shooting %1 again").arg(inHand()));
+  decide(decision, tr("reshooting %1").arg(inHand()));
 }
 
 void PairReviewModel::giveBack(int front, int back) {
@@ -399,9 +400,7 @@ void PairReviewModel::giveBack(int front, int back) {
   PairDecision decision = about(DecisionKind::Pair);
   decision.scans = {frontRef(front), backRef(back)};
   decision.front_from_back = known->registration.front_from_back;
-  decide(decision, tr("pair %1 – %2")
-                       .arg(QString::fromStdString(frontRef(front).id),
-                            QString::fromStdString(backRef(back).id)));
+  decide(decision, tr("pair %1 – %2").arg(nameOf(frontRef(front)), nameOf(backRef(back))));
 }
 
 void PairReviewModel::joinWith(Side side, int row) {
@@ -416,9 +415,8 @@ void PairReviewModel::joinWith(Side side, int row) {
       return emit failed(tr("One of the two has no back to be joined."));
     decision.scans = {backRef(one.back), backRef(other.back)};
   }
-  decide(decision, tr("joining %1 and %2")
-                       .arg(QString::fromStdString(decision.scans[0].id),
-                            QString::fromStdString(decision.scans[1].id)));
+  decide(decision,
+         tr("merging %1 and %2").arg(nameOf(decision.scans[0]), nameOf(decision.scans[1])));
 }
 
 void PairReviewModel::split(Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm) {
@@ -433,7 +431,7 @@ void PairReviewModel::split(Side side, const Eigen::Vector2d& a_mm, const Eigen:
       if (trial_.front >= 0)  // a back alone is shown as it lies on its own plate
         p = pipeline::onBackPlate(trial_.front_from_back, back, p);
   }
-  decide(decision, tr("cutting %1").arg(QString::fromStdString(decision.scans[0].id)));
+  decide(decision, tr("splitting %1").arg(nameOf(decision.scans[0])));
 }
 
 bool PairReviewModel::personIsKnown() {

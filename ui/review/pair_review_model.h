@@ -74,8 +74,8 @@ class PairReviewModel final : public QAbstractListModel {
   void reshoot();
   /// A back dragged onto a front: decides at once, or tries it where the program did not.
   void giveBack(int front, int back);
-  void stepStart(int by);              ///< to the next good start point
-  void stepSample(int by);             ///< by one of 200 samples
+  void stepStart(int by);   ///< to the next good start point
+  void stepSample(int by);  ///< by one of 200 samples
   void moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
   void settle();
   void stopSettling();  ///< the back stays where it was

@@ -19,7 +19,9 @@ constexpr int kStepsAcross = 40, kMostSteps = 20, kTurn_degrees = 5;
 
 PicturePair::PicturePair(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Photographs of both sides"));
-  setMinimumHeight(fontMetrics().height() * 8);
+  setMinimumHeight(fontMetrics().height() * 5);
+  setPalette(mattePalette());
+  setAutoFillBackground(true);
 }
 
 void PicturePair::setPictures(const QImage& front, const QImage& back,
@@ -164,7 +166,8 @@ void PicturePair::paintLine(QPainter& painter) const {
   const QLineF cut = drawing_ ? QLineF(from_, to_) : line();
   painter.save();
   painter.setClipRect(drawing_ ? rect() : half(line_on_front_));
-  for (const auto& [ink, wide] : {std::pair(Qt::black, 5), std::pair(Qt::yellow, 2)}) {
+  for (const auto& [ink, wide] :
+       {std::pair(photographInks().halo, 5), std::pair(photographInks().lit, 2)}) {
     painter.setPen(QPen(ink, lineWidth(*this, wide)));
     painter.drawLine(cut);
   }

@@ -5,19 +5,17 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
-#include <QScreen>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/frame/flow_row.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/page_area.h"
-#include "ui/frame/state_colours.h"
+#include "ui/frame/tool_row.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
+#include "ui/review/free_words.h"
 #include "ui/review/join_mode.h"
 #include "ui/review/outline_plot.h"
 #include "ui/review/pair_review_model.h"
@@ -28,7 +26,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr double kRimScale_mm = 0.5;  // twice a good rim's RMS is yellow
+constexpr double kRimScale_mm = 0.5;  // twice a good rim's RMS has the full colour
 
 ShownScan shownScan(const pipeline::ScanCloud& cloud) {
   return {cloud.cloud, cloud.rim};
@@ -44,9 +42,12 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
   cards_->setAccessibleName(tr("Pairs, most doubtful first"));
   cards_->setModel(&model_);
   pictures_ = new PicturePair(this);
+  pictures_->setObjectName("pictures");
   plot_ = new OutlinePlot(this);
+  plot_->setObjectName("outlines");
   view_ = new SherdView(this);
   view_->setObjectName("sherd");
+  view_->setPalette(mattePalette());
   candidates_ = new CandidateBar(model_, this);
   buildActions();
   buildLayout();
@@ -104,8 +105,10 @@ QAction* ReviewPane::step(const char* name, const QString& text, const QKeySeque
   return action;
 }
 
-QAction* ReviewPane::toggle(const char* name, const QString& text, const QKeySequence& key) {
+QAction* ReviewPane::toggle(const char* name, const QString& picture, const QString& text,
+                            const QKeySequence& key) {
   QAction* action = keyed(name, text, {key});
+  action->setIcon(icon(picture));
   action->setCheckable(true);
   return action;
 }
@@ -117,10 +120,10 @@ void ReviewPane::buildActions() {
     connect(action, &QAction::triggered, this, slot);
     return action;
   };
-  add("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::accept);
+  add("accept", tr("Accept"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::acceptMarked);
   add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next)->setAutoRepeat(true);
   add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous)->setAutoRepeat(true);
-  add("leaveJoin", tr("Settle, join and cut nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
+  add("leaveJoin", tr("Leave merging and splitting"), {Qt::Key_Escape}, &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
          &PairReviewModel::choose, nullptr);
@@ -133,36 +136,42 @@ void ReviewPane::buildActions() {
   step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1,
        &PairReviewModel::stepSample, &PicturePair::turnLine);
   buildViewActions();
-  QAction* settle = act("settle", tr("Settle"), {Qt::Key_B}, &PairReviewModel::settle);
-  settle->setToolTip(tr("Let the rims settle the position (B)"));
+  QAction* settle = act("settle", tr("Refine fit"), {Qt::Key_B}, &PairReviewModel::settle);
+  settle->setIcon(icon(QStringLiteral("settle")));
+  settle->setToolTip(tr("Refine the position by the fracture surfaces (B)"));
   QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
-  QAction* reshoot = act("reshoot", tr("Shoot again"), {Qt::Key_N}, &PairReviewModel::reshoot);
+  aside->setIcon(icon(QStringLiteral("aside")));
+  QAction* reshoot = act("reshoot", tr("Reshoot"), {Qt::Key_N}, &PairReviewModel::reshoot);
+  reshoot->setIcon(icon(QStringLiteral("camera")));
   buildPieceActions();
-  shown_actions_ = {settle,  mirror_, apart_, section_, measure_, along_rim_,
-                    closed_, join_,   cut_,   aside,    reshoot};
+  tools_ = new ToolRow(this);
+  tools_->setObjectName("reviewTools");
+  tools_->addGroup(tr("View"), {mirror_, apart_, section_, measure_, along_rim_, closed_});
+  tools_->addGroup(tr("Fit"), {settle});
+  tools_->addGroup(tr("Decide"), {aside, reshoot, join_, cut_});
 }
 
 void ReviewPane::buildViewActions() {
-  mirror_ = toggle("mirror", tr("Mirror back"), Qt::Key_M);
+  mirror_ = toggle("mirror", "mirror", tr("Mirror back"), Qt::Key_M);
   connect(mirror_, &QAction::toggled, pictures_, &PicturePair::setMirrored);
-  apart_ = toggle("apart", tr("Apart"), Qt::Key_A);
+  apart_ = toggle("apart", "apart", tr("Explode"), Qt::Key_A);
   connect(apart_, &QAction::toggled, view_, &SherdView::setApart);
   connect(apart_, &QAction::toggled, this, [this](bool on) {
     if (on) measure_->setChecked(false);  // lengths across sides that lie apart would be false
   });
-  section_ = toggle("section", tr("Section"), Qt::Key_X);
+  section_ = toggle("section", "section", tr("Section"), Qt::Key_X);
   connect(section_, &QAction::toggled, view_, &SherdView::setSection);
   connect(view_, &SherdView::sectionChanged, section_, &QAction::setChecked);
-  measure_ = toggle("measure", tr("Measure"), Qt::Key_D);
+  measure_ = toggle("measure", "measure", tr("Measure"), Qt::Key_D);
   connect(measure_, &QAction::toggled, this, [this](bool on) {
     measured_.clear();
     if (on) apart_->setChecked(false);
     view_->setMeasuring(on);
     showFigures();
   });
-  along_rim_ = toggle("alongRim", tr("Rim gap"), Qt::Key_R);
+  along_rim_ = toggle("alongRim", "distance", tr("Fracture gap"), Qt::Key_R);
   connect(along_rim_, &QAction::toggled, this, &ReviewPane::colourRim);
-  closed_ = toggle("closed", tr("Model"), Qt::Key_V);
+  closed_ = toggle("closed", "model", tr("Model"), Qt::Key_V);
   connect(closed_, &QAction::triggered, this, [this](bool on) {
     if (on)
       model_.fetchModel();
@@ -173,9 +182,8 @@ void ReviewPane::buildViewActions() {
 
 // Pieces that the masks separated or joined wrongly.
 void ReviewPane::buildPieceActions() {
-  cut_ = toggle("cut", tr("Cut"), Qt::Key_K);
-  cut_->setToolTip(
-      tr("Cut a piece that is two sherds in truth, along a line over its picture (K)"));
+  cut_ = toggle("cut", "split", tr("Split"), Qt::Key_K);
+  cut_->setToolTip(tr("Split a scan of two sherds along a line over its photograph (K)"));
   connect(cut_, &QAction::toggled, this, [this](bool on) {
     pictures_->setCutting(on);
     showFigures();
@@ -185,11 +193,12 @@ void ReviewPane::buildPieceActions() {
             cut_->setChecked(false);
             model_.split(front ? batch::Side::Front : batch::Side::Back, a, b);
           });
-  join_ = toggle("join", tr("Join"), Qt::Key_J);
+  join_ = toggle("join", "join", tr("Merge"), Qt::Key_J);
   join_->setToolTip(
-      tr("Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)"));
-  joining_ = new JoinMode(model_, *cards_, join_,
-                          toggle("joinBacks", tr("Join backs"), Qt::SHIFT | Qt::Key_J), this);
+      tr("Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)"));
+  joining_ =
+      new JoinMode(model_, *cards_, join_,
+                   toggle("joinBacks", "join", tr("Merge backs"), Qt::SHIFT | Qt::Key_J), this);
   connect(joining_, &JoinMode::changed, this, &ReviewPane::showCard);
   connect(cut_, &QAction::toggled, joining_, [this](bool on) {
     if (on) joining_->leave();
@@ -199,69 +208,52 @@ void ReviewPane::buildPieceActions() {
   });
 }
 
-QLayout* ReviewPane::buttons() {
-  auto* row = new FlowRow;
-  row->setSpacing(2);
-  for (QAction* action : shown_actions_) {
-    auto* button = new QToolButton(this);
-    const QString key = action->shortcut().toString(QKeySequence::NativeText);
-    action->setIconText(tr("%1 %2").arg(action->text(), key));
-    button->setDefaultAction(action);
-    connect(action, &QAction::toggled, this, &ReviewPane::tintPressed);
-    buttons_.push_back(button);
-    button->setAccessibleName(tr("%1, key %2").arg(action->text(), key));
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setMinimumHeight(fontMetrics().height() * 2);
-    row->addWidget(button);
-  }
-  return row;
-}
-
 // As wide as the letters want, but never at the cost of what is to be compared.
 void ReviewPane::fitCards() {
-  cards_->setFixedWidth(
-      std::min(fontMetrics().height() * 15, screen()->availableSize().width() / 5));
-}
-
-// Dark themes hardly tell a pressed button from another.
-void ReviewPane::tintPressed() {
-  for (QToolButton* button : buttons_) {
-    QPalette look;
-    if (button->defaultAction()->isChecked())
-      look.setColor(QPalette::Button, StateColours(palette()).behind(State::Selected));
-    button->setPalette(look);
-  }
+  cards_->setFixedWidth(std::min(fontMetrics().height() * 15, window()->width() / 5));
 }
 
 void ReviewPane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) tintPressed();
   if (event->type() == QEvent::FontChange && cards_ != nullptr) fitCards();
+}
+
+void ReviewPane::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitCards();
+}
+
+void ReviewPane::setCompact(bool compact) {
+  compared_->setOrientation(compact ? Qt::Horizontal : Qt::Vertical);
+  tools_->setCompact(compact);
+  candidates_->setCompact(compact);
+  reason_->setFont(scaledFont(*this, compact ? 1 : Look::kSection));
 }
 
 void ReviewPane::buildLayout() {
   reason_ = new QLabel(this);
   reason_->setObjectName("reason");
   reason_->setWordWrap(true);
-  reason_->setFont(scaledFont(*this, 1.15));
+  reason_->setFont(scaledFont(*this, Look::kSection));
   figures_ = new QLabel(this);
   figures_->setObjectName("figures");
   figures_->setFont(tabularFont(figures_->font()));
   figures_->setWordWrap(true);
-  accept_ = new QPushButton(tr("This one   Enter"), this);
+  accept_ = new BigButton(this);
+  accept_->setText(tr("Accept"));
+  accept_->setKeyHint(tr("Enter"));
   accept_->setObjectName("acceptButton");
-  accept_->setMinimumHeight(targetSize(*this));
-  accept_->setFont(scaledFont(*this, 1.2));
   accept_->setFocusPolicy(Qt::TabFocus);
-  connect(accept_, &QPushButton::clicked, this, &ReviewPane::accept);
+  accept_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  connect(accept_, &BigButton::clicked, this, &ReviewPane::acceptMarked);
 
-  auto* middle = new QSplitter(Qt::Vertical, this);
-  middle->addWidget(pictures_);
-  middle->addWidget(plot_);
-  middle->setStretchFactor(0, 3);
-  middle->setStretchFactor(1, 2);
+  compared_ = new QSplitter(Qt::Vertical, this);
+  compared_->addWidget(pictures_);
+  compared_->addWidget(plot_);
+  compared_->setStretchFactor(0, 3);
+  compared_->setStretchFactor(1, 1);
   auto* sides = new QSplitter(Qt::Horizontal, this);
-  sides->addWidget(middle);
+  sides->addWidget(compared_);
   sides->addWidget(view_);
   sides->setStretchFactor(0, 1);
   sides->setStretchFactor(1, 1);
@@ -269,19 +261,23 @@ void ReviewPane::buildLayout() {
 
   auto* last = new QHBoxLayout;
   last->addWidget(candidates_, 1);
-  last->addWidget(accept_);
-  // What decides stays in sight; where letters are large, the rest is scrolled.
+  auto* decide = new QVBoxLayout;
+  decide->addStretch();
+  decide->addWidget(candidates_->others());
+  decide->addWidget(accept_);
+  last->addLayout(decide);
+  // What decides stays in sight; where letters are large, what is compared and measured is
+  // scrolled.
   auto* compared = new QWidget(this);
-  auto* column = new QVBoxLayout(compared);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(sides, 1);
-  column->addLayout(buttons());
-  column->addWidget(figures_);
+  auto* measured = new QVBoxLayout(compared);
+  measured->setContentsMargins(0, 0, 0, 0);
+  measured->addWidget(sides, 1);
+  measured->addWidget(figures_);
+  auto* area = new PageArea(compared, this);
   auto* right = new QVBoxLayout;
   right->addWidget(reason_);
-  auto* area = new PageArea(compared, this);
-  area->setMinimumHeight(fontMetrics().height() * 7);
   right->addWidget(area, 1);
+  right->addWidget(tools_);
   right->addLayout(last);
   auto* all = new QHBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
@@ -311,7 +307,7 @@ void ReviewPane::showCard() {
   showFigures();
 }
 
-void ReviewPane::accept() {
+void ReviewPane::acceptMarked() {
   if (pictures_->isCutting()) return pictures_->cutHere();
   joining_->isOn() ? joining_->takeMarked() : model_.accept();
 }
@@ -371,7 +367,7 @@ void ReviewPane::showScene(const PairScene& scene) {
   const auto& table = model_.live()->table();
   view_->setUnitKnown(table.has_scale);
   const auto name = [](const std::vector<pipeline::ScanRef>& scans, int i) {
-    return i < 0 ? QString() : QString::fromStdString(scans.at(static_cast<std::size_t>(i)).id);
+    return plainNumber(scans, i);
   };
   pictures_->setPictures(scene.front_picture, scene.back_picture, scene.view.frame);
   pictures_->setNames(name(table.fronts, scene.front), name(table.backs, scene.back));
@@ -387,14 +383,14 @@ void ReviewPane::showScene(const PairScene& scene) {
 }
 
 void ReviewPane::colourRim() {
-  ShownRim rim;
-  rim.reach_mm = kRimScale_mm;
+  ShownDistances shown;
+  shown.reach_mm = kRimScale_mm;
   if (along_rim_->isChecked() && scene_)
     for (const registration::RimDistance& d : scene_->view.rim) {
-      rim.points.push_back(d.point);
-      rim.distance_mm.push_back(d.distance_mm);
+      shown.points.push_back(d.point);
+      shown.distance_mm.push_back(d.distance_mm);
     }
-  view_->setRim(rim);
+  view_->setDistances(shown);
 }
 
 void ReviewPane::measure(const Eigen::Vector3d& point) {

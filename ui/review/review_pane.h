@@ -6,12 +6,11 @@
 
 class QAction;
 class QLabel;
-class QLayout;
-class QPushButton;
-class QToolButton;
+class QSplitter;
 
 namespace ostraka::ui {
 
+class BigButton;
 class CandidateBar;
 class CardList;
 class JoinMode;
@@ -19,6 +18,7 @@ class OutlinePlot;
 class PairReviewModel;
 class PicturePair;
 class SherdView;
+class ToolRow;
 struct PairScene;
 
 /// The screen of one batch's pairs: cards, photographs, outlines, 3D, candidates, and the keys.
@@ -29,27 +29,29 @@ class ReviewPane final : public QWidget {
   explicit ReviewPane(PairReviewModel& model, QWidget* parent = nullptr);
 
   SherdView& view() { return *view_; }
+  BigButton* accept() const { return accept_; }
+  void setCompact(bool compact);
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void tintPressed();
   void fitCards();
   void buildLayout();
   void buildActions();
   void buildViewActions();
   void buildPieceActions();
-  QLayout* buttons();
   QAction* keyed(const char* name, const QString& text, const QList<QKeySequence>& keys);
   QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,
                void (PairReviewModel::*slot)());
   QAction* step(const char* name, const QString& text, const QKeySequence& key, int by,
                 void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int));
-  QAction* toggle(const char* name, const QString& text, const QKeySequence& key);
+  QAction* toggle(const char* name, const QString& picture, const QString& text,
+                  const QKeySequence& key);
   void showCard();
   void markCard();
-  void accept();
+  void acceptMarked();
   void next();
   void previous();
   void leave();
@@ -68,12 +70,12 @@ class ReviewPane final : public QWidget {
   SherdView* view_ = nullptr;
   CandidateBar* candidates_ = nullptr;
   QLabel *reason_ = nullptr, *figures_ = nullptr;
-  QPushButton* accept_ = nullptr;
+  BigButton* accept_ = nullptr;
+  ToolRow* tools_ = nullptr;
+  QSplitter* compared_ = nullptr;
   QAction *mirror_ = nullptr, *apart_ = nullptr, *section_ = nullptr, *measure_ = nullptr,
           *along_rim_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
   JoinMode* joining_ = nullptr;
-  QList<QAction*> shown_actions_;  ///< those with a button
-  QList<QToolButton*> buttons_;
   std::shared_ptr<const PairScene> scene_;
   std::vector<Eigen::Vector3d> measured_;
   Eigen::Isometry3d measured_at_ = Eigen::Isometry3d::Identity();  ///< the back's pose then

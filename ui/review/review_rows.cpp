@@ -40,7 +40,7 @@ ReviewFigures figuresOf(const pipeline::Review& review) {
 }
 
 QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table) {
-  const QString front = idOf(table.fronts, row.front), back = idOf(table.backs, row.back);
+  const QString front = nameOf(table.fronts, row.front), back = nameOf(table.backs, row.back);
   if (row.isLoneBack()) return back;
   return row.back < 0 ? front : tr("%1 – %2").arg(front, back);
 }
@@ -59,7 +59,7 @@ void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& ta
         const int scan = pipeline::resolved(ref, front ? table.fronts : table.backs);
         const bool mine = scan >= 0 && scan == (front ? row.front : row.back);
         here = here || mine;
-        if (!mine) others << QString::fromStdString(ref.id);
+        if (!mine) others << nameOf(ref);
       }
       if (!here) continue;
       row.change = join ? PieceChange::Joined : PieceChange::Cut;
@@ -72,10 +72,10 @@ void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& ta
 QString pieceSentence(const ReviewRow& row) {
   switch (row.change) {
     case PieceChange::Joined:
-      return tr("Joined with %1 by %2; it is one piece once the batch is computed.")
+      return tr("Merged with %1 by %2. It is one fragment once the batch is reprocessed.")
           .arg(row.joined_with, row.changed_by);
     case PieceChange::Cut:
-      return tr("Cut in two by %1; its pieces come when the batch is computed.")
+      return tr("Split by %1. Its fragments appear when the batch is reprocessed.")
           .arg(row.changed_by);
     case PieceChange::None:
       break;
@@ -84,9 +84,9 @@ QString pieceSentence(const ReviewRow& row) {
 }
 
 QString rowWord(const ReviewRow& row) {
-  if (row.change == PieceChange::Joined) return tr("joined");
-  if (row.change == PieceChange::Cut) return tr("cut");
-  return row.isLoneBack() && row.state == CardState::Alone ? tr("no front") : stateWord(row.state);
+  if (row.change == PieceChange::Joined) return tr("Merged");
+  if (row.change == PieceChange::Cut) return tr("Split");
+  return row.isLoneBack() && row.state == CardState::Alone ? tr("No front") : stateWord(row.state);
 }
 
 QString loneBackSentence(const ReviewRow& row) {
@@ -94,10 +94,10 @@ QString loneBackSentence(const ReviewRow& row) {
     case CardState::Aside:
       return tr("This back is set aside. Drag it onto a front to use it after all.");
     case CardState::Reshoot:
-      return tr("This back is to be shot again.");
+      return tr("This back is to be reshot.");
     default:
       return tr(
-          "No front holds this back. Drag it onto its front, join it to another, or set it "
+          "No front holds this back. Drag it onto its front, merge it with another, or set it "
           "aside.");
   }
 }

@@ -18,10 +18,14 @@
 #include "catalogue/project.h"
 #include "catalogue/review_decisions.h"
 #include "pipeline/mask_strokes.h"
+#include "ui/frame/batch_place.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/state_colours.h"
 #include "ui/queue/batch_figures.h"
+#include "ui/review/free_words.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
 #include "ui/words/sentence.h"
@@ -60,10 +64,10 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
   message_ = new QLabel(this);
   message_->setObjectName("message");
   message_->setWordWrap(true);
-  compute_ = new QPushButton(tr("Compute what changed"), this);
+  compute_ = new QPushButton(tr("Update changed models"), this);
   compute_->setObjectName("compute");
   compute_->setFocusPolicy(Qt::TabFocus);
-  compute_->setToolTip(tr("Makes the models of the pairs that were decided anew"));
+  compute_->setToolTip(tr("Reprocesses the pairs that were decided differently"));
   compute_->hide();
   auto* head = new QHBoxLayout;
   head->addWidget(batches_);
@@ -71,9 +75,18 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
   head->addWidget(compute_);
   head->addWidget(person_label);
   head->addWidget(person_);
+  empty_ = new EmptyState(QStringLiteral("review"), tr("No pairs to review yet"),
+                          tr("Photograph or import a batch. Its pairs appear here when it is "
+                             "processed."),
+                          this);
+  to_capture_ = empty_->addAct(tr("Capture a batch"), QStringLiteral("reviewToCapture"));
+  connect(to_capture_, &QPushButton::clicked, this,
+          [this] { emit wantsStation(QStringLiteral("capture"), {}); });
   auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(Look::kGap, Look::kGap, Look::kGap, Look::kGap);
   all->addLayout(head);
   all->addWidget(buildScale());
+  all->addWidget(empty_, 1);
   connect(batches_, &QComboBox::activated, this,
           [this](int index) { openOutput(batches_->itemText(index)); });
   connect(person_, &QLineEdit::editingFinished, this, [this] {
@@ -84,6 +97,16 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
 }
 
 ReviewStation::~ReviewStation() = default;
+
+QAbstractButton* ReviewStation::primary() const {
+  if (!empty_->isHidden() || !pane_) return to_capture_;
+  return pane_->accept();
+}
+
+void ReviewStation::setCompact(bool compact) {
+  compact_ = compact;
+  if (pane_) pane_->setCompact(compact);
+}
 
 // Enter in the open list is the list's alone. Qt closes it before the shortcuts are asked, and then
 // the pair that one leaves would be accepted.
@@ -100,7 +123,7 @@ QWidget* ReviewStation::buildScale() {
   scale_words_ = new QLabel(scale_);
   scale_words_->setObjectName("scaleWords");
   scale_words_->setWordWrap(true);
-  auto* report = new QPushButton(icon(QStringLiteral("report")), tr("Where its report is"), scale_);
+  auto* report = new QPushButton(icon(QStringLiteral("report")), tr("Show report"), scale_);
   report->setFocusPolicy(Qt::TabFocus);
   connect(report, &QPushButton::clicked, this,
           [this] { emit wantsStation(QStringLiteral("queue"), batch_); });
@@ -135,6 +158,7 @@ void ReviewStation::openProject(ProjectSession& session) {
   session_ = &session;
   model_ = new PairReviewModel(session.jobs(), session.undo(), this);
   pane_ = new ReviewPane(*model_, this);
+  pane_->setCompact(compact_);
   layout()->addWidget(pane_);
   static_cast<QVBoxLayout*>(layout())->setStretchFactor(pane_, 1);
   setFocusProxy(pane_);
@@ -187,13 +211,12 @@ void ReviewStation::listBatches() {
   QStringList shown;
   for (int i = 0; i < batches_->count(); ++i) shown << batches_->itemText(i);
   if (pane_) pane_->setVisible(!names.isEmpty());  // empty panes would say nothing
+  empty_->setVisible(names.isEmpty());
+  batches_->setVisible(!names.isEmpty());
   if (names == shown && !names.isEmpty()) return;
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
-  // Said on this page alone: the window's foot belongs to the station in front.
-  if (names.isEmpty())
-    message_->setText(tr("No batch is computed yet. Shoot or import one; its pairs appear here."));
 }
 
 void ReviewStation::showItem(const QString& batch) {
@@ -207,6 +230,7 @@ void ReviewStation::openOutput(const QString& batch) {
   model_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
   stamp_ = stampOf(batch);
+  emit whereChanged();
   countElsewhere();
   batches_->setCurrentText(batch);
   compute_->hide();
@@ -299,9 +323,9 @@ void ReviewStation::sayIfTwice(const QString& batch, const pipeline::PairDecisio
   for (const pipeline::ScanRef& scan : decision.scans)
     if (const auto* again = scan.side == batch::Side::Front ? sherds.again(scan.place_mm) : nullptr;
         again && sherds.at(scan.place_mm))
-      say(tr("%1 was photographed again as %2 in %3, and now has a record more: make that void in "
-             "the catalogue, or set the piece aside here.")
-              .arg(QString::fromStdString(scan.id), QString::fromStdString(again->number),
+      say(tr("%1 was reshot as %2 in %3 and now has two records. Void one of them in the "
+             "catalogue, or set the fragment aside here.")
+              .arg(nameOf(scan), QString::fromStdString(again->number),
                    QString::fromStdString(again->batch_number)));
 }
 
@@ -428,6 +452,12 @@ void ReviewStation::setInFront(bool in_front) {
 
 QString ReviewStation::chosen() const {
   return batch_.isEmpty() ? QString() : kPlate + batch_;
+}
+
+QString ReviewStation::whereWords() const {
+  return session_ && session_->hasProject() && !batch_.isEmpty()
+             ? batchWords(session_->project().catalogue(), batch_)
+             : batch_;
 }
 
 void ReviewStation::takeChosen(const QString& what) {

@@ -17,6 +17,7 @@ class QPushButton;
 
 namespace ostraka::ui {
 
+class EmptyState;
 class PairReviewModel;
 class ReviewPane;
 
@@ -36,8 +37,11 @@ class ReviewStation final : public Station {
   int waiting() const override;
   QString waitingText() const override;
   void setInFront(bool in_front) override;
+  QAbstractButton* primary() const override;
+  void setCompact(bool compact) override;
 
   QString chosen() const override;
+  QString whereWords() const override;
   void takeChosen(const QString& what) override;
 
   PairReviewModel* model() const { return model_; }
@@ -80,6 +84,9 @@ class ReviewStation final : public Station {
   QLabel* scale_words_ = nullptr;
   PairReviewModel* model_ = nullptr;
   QPointer<ReviewPane> pane_;
+  EmptyState* empty_ = nullptr;
+  QPushButton* to_capture_ = nullptr;
+  bool compact_ = false;
   QPointer<JobHandle> opening_;
   std::filesystem::file_time_type stamp_;  ///< of the results that are shown
   int elsewhere_ = 0;                      ///< what waits in batches that are not shown

@@ -16,17 +16,24 @@ using registration::Slip;
 
 constexpr double kToldApart = 0.05;  // chances that differ by more are not the same to a person
 
+// Names that begin a sentence.
+QString capitalised(QString sentence) {
+  return sentence.isEmpty() ? sentence : sentence.replace(0, 1, sentence.at(0).toUpper());
+}
+
 QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
   const double apart = std::abs(card.rim_rms_mm - card.rival_rim_rms_mm);
   const bool rims = card.rim_rms_mm > 0 && card.rival_rim_rms_mm > 0;
   if (card.rival_back >= 0)
-    return (rims ? tr("%1 and %2 both fit %3: their rims differ by %4 only.")
-                 : tr("%1 and %2 both fit %3."))
-        .arg(idOf(table.backs, card.back), idOf(table.backs, card.rival_back),
-             idOf(table.fronts, card.front), mm(apart));
+    return capitalised((rims ? tr("%1 and %2 both fit %3: their fractures differ by only %4.")
+                             : tr("%1 and %2 both fit %3."))
+                           .arg(nameOf(table.backs, card.back),
+                                nameOf(table.backs, card.rival_back),
+                                nameOf(table.fronts, card.front), mm(apart)));
   if (card.rival_front >= 0)
-    return tr("%1 would fit %2 nearly as well.")
-        .arg(idOf(table.backs, card.back), idOf(table.fronts, card.rival_front));
+    return capitalised(
+        tr("%1 would fit %2 almost as well.")
+            .arg(nameOf(table.backs, card.back), nameOf(table.fronts, card.rival_front)));
   return tr("Another partner fits nearly as well.");
 }
 
@@ -35,16 +42,17 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table, const C
     case Doubt::Displaced:
       if (story.lost_back >= 0)
         return tr("Its back %1 was given to %2: is %3 the right one now?")
-            .arg(idOf(table.backs, story.lost_back), idOf(table.fronts, story.lost_to),
-                 idOf(table.backs, card.back));
+            .arg(plainNumber(table.backs, story.lost_back), nameOf(table.fronts, story.lost_to),
+                 nameOf(table.backs, card.back));
       return tr("Its back was given to another front: is %1 the right one now?")
-          .arg(idOf(table.backs, card.back));
+          .arg(nameOf(table.backs, card.back));
     case Doubt::OtherPartner:
       return rivalSentence(card, table);
     case Doubt::Strangers:
-      return tr("%1 fits hardly better than a stranger's back.").arg(idOf(table.backs, card.back));
+      return capitalised(
+          tr("%1 fits barely better than an unrelated back.").arg(nameOf(table.backs, card.back)));
     case Doubt::OtherPose:
-      return tr("The two sides fit nearly as well in another position.");
+      return tr("Ambiguous: a second position fits almost as well.");
     case Doubt::SelfCheck:
       return slipSentence(card.slip, card.slip_value);
     case Doubt::None:
@@ -55,11 +63,12 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table, const C
 
 QString aloneSentence(const CandidateTable& table, const CardStory& story) {
   if (story.lost_back < 0) return tr("No back was found for it. Choose one, or set it aside.");
-  const QString lost = idOf(table.backs, story.lost_back), to = idOf(table.fronts, story.lost_to);
+  const QString lost = plainNumber(table.backs, story.lost_back),
+                to = nameOf(table.fronts, story.lost_to);
   if (!story.next)
     return tr("Its back %1 was given to %2. Choose another one, or set it aside.").arg(lost, to);
   return tr("Its back %1 was given to %2; next best %3, %4.")
-      .arg(lost, to, idOf(table.backs, story.next->back), scoreWords(story.next->score));
+      .arg(lost, to, nameOf(table.backs, story.next->back), scoreWords(story.next->score));
 }
 
 // What was decided for others may leave a front one back only; its candidates' chances are those
@@ -69,7 +78,7 @@ QString sureSentence(const ReviewCard& card) {
     if (own.back == card.back && own.score < card.score - kToldApart)
       return tr("Sure by what was decided for others: %1; by itself %2.")
           .arg(percent(card.score), scoreWords(own.score));
-  return tr("The program is sure: %1.").arg(percent(card.score));
+  return tr("%1 confident").arg(percent(card.score));
 }
 
 }  // namespace
@@ -113,17 +122,17 @@ QString slipSentence(Slip slip, double value) {
 QString stateWord(CardState state) {
   switch (state) {
     case CardState::Ask:
-      return tr("look");
+      return tr("Check");
     case CardState::Alone:
-      return tr("no back");
+      return tr("No back");
     case CardState::Sure:
-      return tr("sure");
+      return tr("Sure");
     case CardState::Decided:
-      return tr("decided");
+      return tr("Decided");
     case CardState::Aside:
-      return tr("set aside");
+      return tr("Set aside");
     case CardState::Reshoot:
-      return tr("shoot again");
+      return tr("Reshoot");
   }
   return {};
 }
@@ -162,7 +171,7 @@ QString madeWord(Made made) {
 
 QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
                       const ReviewCard& card, const CandidateTable& table) {
-  const QString back = idOf(table.backs, trial.back);
+  const QString back = nameOf(table.backs, trial.back);
   const QString chance = scoreWords(score), meets = percent(fit ? fit->rim_overlap : 0);
   QString text;
   if (trial.made == Made::ByHand)
@@ -179,8 +188,9 @@ QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit*
     text = tr("%1 is tried: %2, rims %3 apart.").arg(back, chance, mm(fit->rim_rms_mm));
   else
     text = tr("%1 is tried: %2; its rims do not meet.").arg(back, chance);
-  if (card.back < 0 || card.back == trial.back) return text;
-  const QString instead = idOf(table.backs, card.back);
+  if (card.back < 0 || card.back == trial.back) return capitalised(text);
+  text = capitalised(text);
+  const QString instead = nameOf(table.backs, card.back);
   return text + QLatin1Char(' ') +
          (card.state == CardState::Decided
               ? tr("%1 decided for %2.").arg(QString::fromStdString(card.decided_by), instead)
@@ -204,7 +214,7 @@ QString doubtSentence(const ReviewCard& card, const CandidateTable& table, const
     case CardState::Aside:
       return tr("Set aside by %1 on %2.").arg(by, on);
     case CardState::Reshoot:
-      return tr("To be shot again, says %1, %2.").arg(by, on);
+      return tr("To be reshot, decided by %1 on %2.").arg(by, on);
   }
   return {};
 }

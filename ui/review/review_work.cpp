@@ -11,7 +11,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr std::size_t kShownPoints = 15000;  // of a face; rims come on top
+constexpr std::size_t kShownPoints = 60000;  // of a face; rims come on top
 constexpr double kThumbnailPixel_mm = 0.5, kLonePixel_mm = 0.15;
 
 }  // namespace

@@ -40,7 +40,7 @@ NumberingEdit::NumberingEdit(QWidget* parent)
   last_->setAccessibleName(tr("Last number of this computer"));
   for (QSpinBox* box : {first_, last_}) box->setRange(1, NumberingModel::kLastNumber);
   example_->setObjectName(QStringLiteral("numberingExample"));
-  example_->setFont(scaledFont(*this, 1.3));
+  example_->setFont(scaledFont(*this, Look::kSection));
   told_->setObjectName(QStringLiteral("numberingTold"));
   gaps_->setObjectName(QStringLiteral("numberingGaps"));
   for (QLabel* label : {told_, gaps_}) label->setWordWrap(true);
@@ -60,7 +60,7 @@ NumberingEdit::NumberingEdit(QWidget* parent)
 
 void NumberingEdit::buildLayout() {
   auto* title = new QLabel(tr("Numbers of the open project"), this);
-  title->setFont(scaledFont(*this, 1.3));
+  title->setFont(scaledFont(*this, Look::kSection, true));
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setVerticalSpacing(fontMetrics().height() / 2);
@@ -79,8 +79,8 @@ void NumberingEdit::buildLayout() {
   form->addRow(tr("Left out so far"), gaps_);
   for (QWidget* field : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(first_),
                          static_cast<QWidget*>(last_), static_cast<QWidget*>(apply_)})
-    field->setMinimumHeight(targetSize(*this) * 3 / 4);
-  centreLabels(*form);
+    field->setMinimumHeight(controlHeight(*this));
+  alignForm(*form);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(title);

@@ -53,7 +53,7 @@ RightsEdit::RightsEdit(QWidget* parent)
       told_(new QLabel(this)) {
   setObjectName(QStringLiteral("rights"));
   auto* heading = new QLabel(tr("Rights to the open project"), this);
-  heading->setFont(scaledFont(*this, 1.15));
+  heading->setFont(scaledFont(*this, Look::kSection, true));
   licence_->setObjectName(QStringLiteral("licence"));
   licence_->setPlaceholderText(tr("for instance CC-BY-4.0; empty: none is named"));
   holder_->setObjectName(QStringLiteral("rightsHolder"));
@@ -65,10 +65,10 @@ RightsEdit::RightsEdit(QWidget* parent)
   form->addRow(tr("Who &holds the rights"), holder_);
   form->addRow(QString(), told_);
   for (QLineEdit* field : {licence_, holder_}) {
-    field->setMinimumHeight(targetSize(*this) * 3 / 4);
+    field->setMinimumHeight(controlHeight(*this));
     connect(field, &QLineEdit::editingFinished, this, &RightsEdit::save);
   }
-  centreLabels(*form);
+  alignForm(*form);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(heading);

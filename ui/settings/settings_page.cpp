@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/form_rows.h"
+#include "ui/frame/page_area.h"
 #include "ui/settings/numbering_edit.h"
 #include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
@@ -32,12 +33,12 @@ SettingsPage::SettingsPage(QWidget* parent)
   setObjectName(QStringLiteral("settings"));
   theme_->setObjectName(QStringLiteral("settingsTheme"));
   for (const auto& [theme, words] :
-       {std::pair(Theme::System, tr("As the desktop")), std::pair(Theme::Light, tr("Light")),
+       {std::pair(Theme::System, tr("Follow system")), std::pair(Theme::Light, tr("Light")),
         std::pair(Theme::Dark, tr("Dark, for the tent")),
         std::pair(Theme::Sunlight, tr("Sunlight: black on white, thick lines"))})
     theme_->addItem(words, static_cast<int>(theme));
   language_->setObjectName(QStringLiteral("settingsLanguage"));
-  language_->addItem(tr("As the desktop"), QString());
+  language_->addItem(tr("Follow system"), QString());
   for (const char* code : {"en", "de", "fr", "es", "el", "tr", "hy"}) {
     const QLocale locale(QString::fromLatin1(code));
     language_->addItem(locale.nativeLanguageName(), QString::fromLatin1(code));
@@ -62,17 +63,15 @@ SettingsPage::SettingsPage(QWidget* parent)
 
 void SettingsPage::buildLayout() {
   auto* title = new QLabel(tr("Settings"), this);
-  title->setFont(scaledFont(*this, 1.8));
+  title->setFont(scaledFont(*this, Look::kTitle, true));
   auto* form = new QFormLayout;
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->setVerticalSpacing(fontMetrics().height());
   form->addRow(tr("&Your initials"), initials_);
   const auto hint = [this, form](const QString& words) {
     auto* label = new QLabel(words, this);
     label->setWordWrap(true);
     form->addRow(QString(), label);
   };
-  hint(tr("They stand in the history of each decision."));
+  hint(tr("Recorded with each decision."));
   form->addRow(tr("&Theme"), theme_);
   auto* size = new QHBoxLayout;
   size->addWidget(text_, 1);
@@ -82,38 +81,41 @@ void SettingsPage::buildLayout() {
   if (size_label != nullptr) size_label->setBuddy(text_);
   text_->setAccessibleName(tr("Text size"));
   form->addRow(tr("&Language"), language_);
-  hint(tr("Holds from the next start."));
+  hint(tr("Takes effect after restart."));
   form->addRow(tr("&Processors for computing"), threads_);
   for (QWidget* field : {static_cast<QWidget*>(initials_), static_cast<QWidget*>(theme_),
                          static_cast<QWidget*>(text_), static_cast<QWidget*>(language_),
                          static_cast<QWidget*>(threads_)})
-    field->setMinimumHeight(targetSize(*this) * 3 / 4);
-  centreLabels(*form);
+    field->setMinimumHeight(controlHeight(*this));
+  alignForm(*form);
   auto* middle = new QWidget(this);
   auto* parts = new QVBoxLayout(middle);
   parts->addLayout(form);
-  parts->addSpacing(fontMetrics().height());
+  parts->addSpacing(Look::kMargin);
   parts->addWidget(numbering_);
-  parts->addSpacing(fontMetrics().height());
+  parts->addSpacing(Look::kMargin);
   parts->addWidget(vocabulary_);
-  parts->addSpacing(fontMetrics().height());
+  parts->addSpacing(Look::kMargin);
   parts->addWidget(rights_);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(24, 24, 24, 24);
-  auto* close = new QPushButton(icon(QStringLiteral("previous")), tr("Back to work (Esc)"), this);
+  column->setContentsMargins(Look::kMargin, Look::kGroup, Look::kMargin, 0);
+  auto* close =
+      new QPushButton(icon(QStringLiteral("previous")), tr("Back to project (Esc)"), this);
   close->setObjectName(QStringLiteral("settingsClose"));
   close->setShortcut(QKeySequence(Qt::Key_Escape));
-  close->setMinimumHeight(targetSize(*this) * 3 / 4);
+  close->setMinimumHeight(controlHeight(*this));
   connect(close, &QPushButton::clicked, this, &SettingsPage::closed);
   auto* head = new QHBoxLayout;
   head->addWidget(title, 1);
   head->addWidget(close);
   column->addLayout(head);
-  auto* across = new QHBoxLayout;  // lines of a readable length, in each text size
+  auto* page = new QWidget(this);
+  auto* across = new QHBoxLayout(page);  // lines of a readable length, in each text size
+  across->setContentsMargins(0, 0, 0, 0);
   across->addWidget(middle, 3);
   across->addStretch(2);
-  column->addLayout(across);
-  column->addStretch(1);
+  parts->addStretch(1);
+  column->addWidget(new PageArea(page, this), 1);
 }
 
 void SettingsPage::setSession(ProjectSession* session) {

@@ -91,7 +91,7 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
 
 void VocabularyEdit::buildLayout() {
   auto* title = new QLabel(tr("Words of the open project"), this);
-  title->setFont(scaledFont(*this, 1.3));
+  title->setFont(scaledFont(*this, Look::kSection, true));
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setVerticalSpacing(fontMetrics().height() / 2);
@@ -101,8 +101,8 @@ void VocabularyEdit::buildLayout() {
   form->addRow(QString(), save_);
   terms_->setFixedHeight(fontMetrics().lineSpacing() * kLines);
   for (QWidget* field : {static_cast<QWidget*>(which_), static_cast<QWidget*>(save_)})
-    field->setMinimumHeight(targetSize(*this) * 3 / 4);
-  centreLabels(*form);
+    field->setMinimumHeight(controlHeight(*this));
+  alignForm(*form);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(title);

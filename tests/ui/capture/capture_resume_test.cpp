@@ -248,7 +248,7 @@ class CaptureResumeTest : public QObject {
              again.wizard.fault()->what.c_str());
     QCOMPARE(again.wizard.stopsDone(), 2);
     QCOMPARE(again.wizard.shots().size(), static_cast<std::size_t>(2 * cameras));
-    QCOMPARE(again.wizard.buttonText(), QStringLiteral("Go on at stop 3"));
+    QCOMPARE(again.wizard.buttonText(), QStringLiteral("Resume at position 3"));
     again.wizard.next();
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
     QCOMPARE(again.wizard.batchNumber(), QStringLiteral("B0001"));

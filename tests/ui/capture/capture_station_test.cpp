@@ -16,9 +16,11 @@
 #include "fake_rig.h"
 #include "rig/rig.h"
 #include "ui/capture/batch_importer.h"
+#include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/import_ask.h"
 #include "ui/capture/number_edit.h"
+#include "ui/capture/place_edit.h"
 #include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/big_button.h"
@@ -302,16 +304,21 @@ class CaptureStationTest : public QObject {
     QVERIFY(child<QAction>("importScans")->isEnabled());
   }
 
-  void anImportAsksForItsBag() {
+  void anImportAsksForItsBagInTheOneFieldForIt() {
     QTemporaryDir scans;
     for (const char* file : {"front/a.ply", "back/b.ply"})
       QVERIFY(writeFileAtomically(std::filesystem::path(scans.path().toStdString()) / file, file)
                   .has_value());
     auto* ask = station_->findChild<ImportAsk*>();
     QSignalSpy imported(station_->importer(), &BatchImporter::imported);
-    ask->ask(scans.path(), ImportKind::Scans, "ARM1-T3-0012-4");
+    auto* turntable = station_->findChild<CaptureFoot*>()->place();
+    turntable->setText("ARM1-T3-0012-4");
+    ask->ask(scans.path(), ImportKind::Scans);
     QVERIFY(ask->isVisible());
+    QVERIFY(turntable->isHidden());
+    QVERIFY(turntable->note()->isHidden());
     auto* line = ask->findChild<QLineEdit*>();
+    QCOMPARE(line->text(), QString());
     QTRY_VERIFY(line->hasFocus());
     QTest::keyClicks(line, "no bag at all, never");
     QVERIFY(!ask->findChild<QPushButton*>("importStart")->isEnabled());
@@ -327,9 +334,12 @@ class CaptureStationTest : public QObject {
     QCOMPARE(batch->bags.size(), std::size_t{1});
     const auto place = catalogue::placeOf(session_->project().catalogue(), batch->bags.front());
     QCOMPARE(QString::fromStdString((*place)->bag), QStringLiteral("5"));
-    ask->ask(scans.path(), ImportKind::Scans, {});
+    QVERIFY(!turntable->isHidden());
+    QCOMPARE(turntable->text(), QStringLiteral("ARM1-T3-0012-4"));
+    ask->ask(scans.path(), ImportKind::Scans);
     QTest::keyClick(ask, Qt::Key_Escape);
     QVERIFY(!ask->isVisible());
+    QVERIFY(!turntable->isHidden());
   }
 
   void anotherRigIsNotToBeHadWhileThePlateIsPhotographed() {

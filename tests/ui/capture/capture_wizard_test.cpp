@@ -112,6 +112,80 @@ class CaptureWizardTest : public QObject {
     QVERIFY(!bench.wizard.fault());
   }
 
+  void aRigThatDoesNotOpenLeavesItsPlaceToTheOneThatWorked() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    std::optional<Error> why_not;
+    connect(&bench.wizard, &CaptureWizard::rigTried, this, [&](const std::optional<Error>& why) {
+      if (why) why_not = why;
+    });
+    FakeRig bad;
+    bad.refuse_open = Error{ErrorCode::UnusableInput, "It is not a rig.", "RIG.json"};
+    for (const bool by_way_of_the_page : {false, true}) {
+      why_not.reset();
+      if (by_way_of_the_page) bench.wizard.clearRig();
+      bench.wizard.setRig(sourceOf(bad));
+      QTRY_VERIFY(why_not.has_value());
+      QCOMPARE(why_not->where, std::string("RIG.json"));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      QVERIFY(!bench.wizard.fault());
+    }
+    QCOMPARE(bad.opened, 2);
+    QCOMPARE(bench.rig.opened, 3);
+    bench.wizard.clearRig();
+    QVERIFY(bench.wizard.canKeepRig());
+    bench.wizard.keepRig();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QVERIFY(!bench.wizard.canKeepRig());
+  }
+
+  void theHeadlineOfARigThatDoesNotOpenSaysSo() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.refuse_open = Error{ErrorCode::UnusableInput, "It is not a rig.", "RIG.json"};
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QCOMPARE(bench.wizard.headline(), QStringLiteral("Opening the rig"));
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QCOMPARE(bench.wizard.headline(), QStringLiteral("The rig does not open"));
+  }
+
+  void aRigThatTurnsItsSherdsAsksNobodyToTurnThem() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    RigSource source = sourceOf(bench.rig);
+    source.turns_sherds = true;
+    bench.wizard.setRig(source);
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QVERIFY2(bench.wizard.headline().contains("virtual rig"), qPrintable(bench.wizard.headline()));
+    QCOMPARE(bench.wizard.buttonText(), QStringLiteral("Shoot the backs"));
+  }
+
+  void aWaitSaysForWhichPhotographs() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    RigSource source = sourceOf(bench.rig);
+    source.prepare = [](const std::filesystem::path&, int, Progress& progress,
+                        std::stop_token) -> Result<void> {
+      tell(progress, PreparedPhotographs{3, 36});
+      return {};
+    };
+    QStringList buttons, headlines;
+    connect(&bench.wizard, &CaptureWizard::changed, this, [&] {
+      buttons << bench.wizard.buttonText();
+      headlines << bench.wizard.headline();
+    });
+    bench.wizard.setRig(source);
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QVERIFY(buttons.contains(QStringLiteral("Calibration photograph 4 of 36")));
+    QVERIFY(headlines.contains(QStringLiteral("Taking calibration photographs")));
+  }
+
   void aFaultSaysWhatIsSafeAndTheSameKeyGoesOn() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

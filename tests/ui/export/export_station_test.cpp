@@ -182,7 +182,7 @@ class ExportStationTest : public QObject {
     sample_->giveModel(1);
     station_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
     auto* detail = child<QComboBox>("exportDetail");
-    QCOMPARE(detail->currentText(), QString("as computed"));
+    QCOMPARE(detail->currentText(), QString("Full detail"));
     detail->setFocus();
     QTest::keyClick(detail, Qt::Key_Down);
     QTest::keyClick(detail, Qt::Key_Down);

@@ -2,14 +2,23 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
+#include <QDirIterator>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
 #include <QRadioButton>
+#include <QRegularExpression>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QtTest>
 #include <cmath>
 
+#include "ui/frame/big_button.h"
 #include "ui/frame/lines.h"
+#include "ui/frame/pill.h"
 #include "ui/frame/state_colours.h"
 
 using namespace ostraka::ui;
@@ -30,8 +39,8 @@ double contrast(const QColor& a, const QColor& b) {
   return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
-constexpr State kWords[] = {State::Sure,    State::Ask,   State::Failed, State::Busy,
-                            State::Waiting, State::Aside, State::Front,  State::Back};
+constexpr State kWords[] = {State::Sure, State::Ask,     State::Failed,
+                            State::Busy, State::Waiting, State::Aside};
 
 }  // namespace
 
@@ -91,12 +100,87 @@ class LookTest : public QObject {
     applyLook(*qApp, Theme::Light, 100);
   }
 
-  void linesShowOnWhatLiesBehindThem_data() { themes_data(); }
-  void linesShowOnWhatLiesBehindThem() {
+  // 4.5 : 1 for what is read, 3 : 1 for the edges of controls and for lines that mean something.
+  void allPairsOfColoursHaveTheirContrast_data() { themes_data(); }
+  void allPairsOfColoursHaveTheirContrast() {
     QFETCH(int, theme);
-    const QPalette colours = paletteOf(static_cast<Theme>(theme), QPalette());
-    for (const QPalette::ColorRole behind : {QPalette::Window, QPalette::Base})
-      QVERIFY(contrast(colours.color(QPalette::Mid), colours.color(behind)) > 1.5);
+    const Colours& c = coloursOf(static_cast<Theme>(theme));
+    for (const QColor& ground : {c.page, c.surface, c.raised}) {
+      for (const QColor& ink : {c.text, c.secondary, c.accent, c.good, c.check, c.bad})
+        QVERIFY2(contrast(ink, ground) >= 4.5, qPrintable(ink.name() + " on " + ground.name()));
+      for (const QColor& line : {c.control, c.front, c.back, c.accent})
+        QVERIFY2(contrast(line, ground) >= 3, qPrintable(line.name() + " on " + ground.name()));
+    }
+    QVERIFY(contrast(c.on_accent, c.accent) >= 4.5);
+    const StateColours colours(paletteOf(static_cast<Theme>(theme), {}));
+    for (const State state : kWords)  // a pill
+      QVERIFY2(contrast(colours.of(state), colours.behind(state)) >= 4.5,
+               qPrintable(colours.of(state).name() + " on " + colours.behind(state).name()));
+    const QPalette matte = mattePalette();
+    QVERIFY(contrast(matte.color(QPalette::Text), matte.color(QPalette::Base)) >= 4.5);
+    QVERIFY(contrast(matte.color(QPalette::PlaceholderText), matte.color(QPalette::Base)) >= 4.5);
+  }
+
+  void inSunlightStatesDifferByFormAndLinesAreThick() {
+    QVERIFY(coloursOf(Theme::Sunlight).border_width > coloursOf(Theme::Light).border_width);
+    applyLook(*qApp, Theme::Sunlight, 100);
+    const auto form = [](State state) {
+      QImage drawn(120, 30, QImage::Format_RGB32);
+      drawn.fill(Qt::white);
+      QPainter painter(&drawn);
+      drawPill(painter, drawn.rect(), {state, "check", {}}, QApplication::palette());
+      painter.end();
+      return drawn.convertToFormat(QImage::Format_Mono, Qt::ThresholdDither);  // no colour left
+    };
+    const QList<QImage> forms{form(State::Sure), form(State::Ask), form(State::Failed),
+                              form(State::Waiting)};
+    for (int i = 0; i < forms.size(); ++i)
+      for (int k = 0; k < i; ++k) QVERIFY(forms[i] != forms[k]);
+    applyLook(*qApp, Theme::Light, 100);
+  }
+
+  void noOtherFileHasAColourOfItsOwn() {
+    static const QRegularExpression literal(
+        QStringLiteral("QColor\\(\\s*(0x|\\d|Qt::(?!transparent))|\"#[0-9a-fA-F]{6}\"|"
+                       "Qt::(black|white|red|blue|green|yellow|gray|darkGray|lightGray)\\b"));
+    QDirIterator files(QStringLiteral(OSTRAKA_SOURCES),
+                       {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    int read = 0;
+    while (files.hasNext()) {
+      const QString path = files.next();
+      if (path.contains(QLatin1String("/frame/look.")) ||
+          path.contains(QLatin1String("/frame/distance_scale.")))
+        continue;
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QRegularExpressionMatch found = literal.match(QString::fromUtf8(file.readAll()));
+      QVERIFY2(!found.hasMatch(), qPrintable(path + ": " + found.captured()));
+      ++read;
+    }
+    QVERIFY(read > 100);
+  }
+
+  void theDefaultIsTheLightThemeAndASystemIsFollowedByItsLightness() {
+    QCOMPARE(themeFromName(QStringLiteral("unheard of")), Theme::Light);
+    QCOMPARE(paletteOf(Theme::System, QPalette(Qt::black)), paletteOf(Theme::Dark, {}));
+    QCOMPARE(paletteOf(Theme::System, QPalette(Qt::white)), paletteOf(Theme::Light, {}));
+  }
+
+  void thereAreTwoHeightsOfControls() {
+    applyLook(*qApp, Theme::Light, 100);
+    QWidget page;
+    QCOMPARE(controlHeight(page), Look::kControl);
+    QCOMPARE(targetSize(page), Look::kPrimary);
+    QLineEdit line;
+    QComboBox box;
+    QSpinBox number;
+    QPushButton button(QStringLiteral("Open"));
+    for (const QWidget* control :
+         {static_cast<const QWidget*>(&line), static_cast<const QWidget*>(&box),
+          static_cast<const QWidget*>(&number), static_cast<const QWidget*>(&button)})
+      QCOMPARE(control->sizeHint().height(), Look::kControl);
+    QCOMPARE(BigButton().sizeHint().height(), Look::kPrimary);
   }
 
   void whatIsPressedInShowsItInEachTheme_data() { themes_data(); }
@@ -130,6 +214,19 @@ class LookTest : public QObject {
     }
   }
 
+  // The sides are lines and marks, never words: 3 is what WCAG wants of them.
+  void linesInTheColoursOfTheSidesAreSeen_data() { themes_data(); }
+  void linesInTheColoursOfTheSidesAreSeen() {
+    QFETCH(int, theme);
+    const QPalette palette = paletteOf(static_cast<Theme>(theme), {});
+    const QColor base = palette.color(QPalette::Base), matte = StateColours::matte();
+    for (const State side : {State::Front, State::Back}) {
+      QVERIFY(contrast(StateColours(palette).of(side), base) >= 3);
+      QVERIFY(contrast(StateColours::onMatte().of(side), matte) >= 4.5);
+    }
+    QVERIFY(contrast(StateColours::inkOnMatte(), matte) >= 4.5);
+  }
+
   void allTextOfThePaletteIsReadable_data() { themes_data(); }
   void allTextOfThePaletteIsReadable() {
     QFETCH(int, theme);
@@ -143,12 +240,6 @@ class LookTest : public QObject {
     for (const auto& [ink, ground] : pairs)
       QVERIFY2(contrast(palette.color(ink), palette.color(ground)) >= 4.5,
                qPrintable(palette.color(ink).name()));
-  }
-
-  void theScaleAlongTheRimGetsLighterAllTheWay() {
-    const StateColours colours(paletteOf(Theme::Light, {}));
-    for (int i = 1; i <= 20; ++i)
-      QVERIFY(luminance(colours.alongRim(i / 20.0)) > luminance(colours.alongRim((i - 1) / 20.0)));
   }
 
   void theTextSizeIsAShareOfThePlainOne() {
@@ -176,12 +267,6 @@ class LookTest : public QObject {
           }
       QVERIFY2(inked > 15, qPrintable(name));
     }
-  }
-
-  void targetsAreTwelveMillimetresAtLeast() {
-    QWidget widget;
-    const double per_mm = widget.screen()->logicalDotsPerInch() / 25.4;
-    QVERIFY(targetSize(widget) >= 12 * per_mm - 1);
   }
 
   void timesAreSaidInWords() {

@@ -305,9 +305,14 @@ class ScreensTest : public QObject {
       // No picture says on which computer it was taken: the project lies in ~/Ostraka.
       qputenv("HOME", QFileInfo(QFileInfo(given).path()).path().toUtf8());
     }
-    QTranslator plurals;  // as the program has it: '1 sherd', '2 sherds'
+    QTranslator plurals, words;  // as the program has it: '1 sherd', '2 sherds'
     QVERIFY(plurals.load(QStringLiteral("ostraka_en"), QStringLiteral(OSTRAKA_QM)));
     QApplication::installTranslator(&plurals);
+    const QString language = qEnvironmentVariable("OSTRAKA_SCREENSHOTS_LANGUAGE");
+    if (!language.isEmpty()) {
+      QVERIFY(words.load(QStringLiteral("ostraka_") + language, QStringLiteral(OSTRAKA_QM)));
+      QApplication::installTranslator(&words);
+    }
     window_ = std::make_unique<MainWindow>(*jobs_);
     window_->resize(pictureSize());
     activate(*window_);
@@ -338,7 +343,8 @@ class ScreensTest : public QObject {
       picture(theme, "keys", [this] { window_->showShortcuts(); });
     }
     // Only for pictures that a person looks at: a whole batch is photographed.
-    if (!folder_.isEmpty() && !given.isEmpty()) picturesOfACapture();
+    if (!folder_.isEmpty() && qEnvironmentVariableIsSet("OSTRAKA_SCREENSHOTS_CAPTURE"))
+      picturesOfACapture();
   }
 
  private:
@@ -420,12 +426,19 @@ class ScreensTest : public QObject {
     all("capture-done");
   }
 
+  // For pictures and models that come from jobs.
+  static int waiting() {
+    const int asked = qEnvironmentVariableIntValue("OSTRAKA_SCREENSHOTS_WAIT");
+    return asked > 0 ? asked : 5000;
+  }
+
   template <class Go>
   void picture(Theme theme, const QString& screen, Go go) {
     go();
     QCoreApplication::processEvents();
     // A person looks at these: with pictures from jobs, and with models and drawings.
-    if (!folder_.isEmpty()) QTest::qWait(qEnvironmentVariableIsSet("OSTRAKA_PROJECT") ? 5000 : 50);
+    if (!folder_.isEmpty())
+      QTest::qWait(qEnvironmentVariableIsSet("OSTRAKA_PROJECT") ? waiting() : 50);
     const QImage shown = window_->grab().toImage();
     QVERIFY(shown.width() >= pictureSize().width());
     if (!folder_.isEmpty())

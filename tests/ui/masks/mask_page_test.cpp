@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -213,7 +214,7 @@ class MaskPageTest : public QObject {
     QVERIFY(!compute->isEnabled());
     QTest::keyClick(view_, Qt::Key_Space);
     QVERIFY(compute->isEnabled());
-    QTest::mouseClick(page_->findChild<QToolButton*>("masksComputeButton"), Qt::LeftButton);
+    QTest::mouseClick(page_->findChild<QPushButton*>("masksComputeButton"), Qt::LeftButton);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted.front().front().toString(), QStringLiteral("B0001"));
   }

@@ -33,7 +33,7 @@ class BatchQueueTest : public QObject {
     QTRY_COMPARE(bench.queue.failed(), 1);
     bench.queue.setAside(number);
     QCOMPARE(bench.queue.failed(), 0);
-    QCOMPARE(stateWords(bench.queue.row(0)), QStringLiteral("set aside"));
+    QCOMPARE(stateWords(bench.queue.row(0)), QStringLiteral("Set aside"));
     QVERIFY(bench.queue.row(0).failure.contains("photographs are kept"));
     const auto kept = bench.session.project().catalogue().setting("queue.failure.B0001");
     QVERIFY2(!kept->empty() && !QString::fromStdString(*kept).contains("photographs"),
@@ -134,7 +134,7 @@ class BatchQueueTest : public QObject {
           });
       bench.queue.setSession(&bench.session);
       QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
-      QVERIFY(stateWords(bench.queue.row(0)).contains(QLatin1String("scale")));
+      QVERIFY(stateWords(bench.queue.row(0)).startsWith(QLatin1String("Scale in doubt")));
       QVERIFY(bench.queue.row(0).scale_doubts.contains(QLatin1String("49.5 mm")));
     }
     Bench again(folder(), jobs);
@@ -142,7 +142,7 @@ class BatchQueueTest : public QObject {
     QCOMPARE(again.queue.row(0).state, QueueState::Review);
     const QString figures = figuresWords(*again.queue.row(0).figures);
     QVERIFY2(figures.contains("4 counted on the plate; the number A-7"), qPrintable(figures));
-    QVERIFY(stateWords(again.queue.row(0)).contains(QLatin1String("scale")));
+    QVERIFY(stateWords(again.queue.row(0)).startsWith(QLatin1String("Scale in doubt")));
     QVERIFY(again.computed.isEmpty());
   }
 
@@ -169,7 +169,7 @@ class BatchQueueTest : public QObject {
     bench.session.tellBatchChanged(number);
     QTRY_COMPARE(drafts, QVector<bool>{true});
     QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
-    QVERIFY(stateWords(bench.queue.row(0)).contains(QLatin1String("draft")));
+    QVERIFY(stateWords(bench.queue.row(0)).startsWith(QLatin1String("Draft:")));
     const auto words = [&] { return figuresWords(*bench.queue.row(0).figures); };
     QVERIFY2(words().contains(QLatin1String("draft")), qPrintable(words()));
     bench.queue.retry(number);

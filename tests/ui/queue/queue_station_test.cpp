@@ -86,7 +86,7 @@ class QueueStationTest : public QObject {
     QVERIFY(!child<QWidget>("queueCancelButton")->isEnabled());
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_R);
     QTRY_COMPARE(begun_.load(), 2);
-    QCOMPARE(child<QWidget>("queueCancelButton")->accessibleName(), QString("Stop this batch"));
+    QCOMPARE(child<QWidget>("queueCancelButton")->accessibleName(), QString("Cancel, key Del"));
   }
 
   void whatIsAskedAboutIsWhatIsStopped() {

@@ -50,7 +50,7 @@ class WindowSettingsTest : public QObject {
     const WindowSettings settings = readSettings();
     QCOMPARE(settings.text_percent, 100);
     QCOMPARE(settings.threads, 0);
-    QCOMPARE(settings.theme, Theme::System);
+    QCOMPARE(settings.theme, Theme::Light);
   }
 
   void theLastProjectComesFirstAndOnceOnly() {

@@ -1,0 +1,209 @@
+// A laptop of 1280 x 720 at 150 % leaves 853 x 480 logical pixels: what decides is in sight there.
+#include <QAbstractButton>
+#include <QAction>
+#include <QBuffer>
+#include <QImage>
+#include <QLabel>
+#include <QTranslator>
+
+#include "../capture/fake_rig.h"
+#include "catalogue/project.h"
+#include "person.h"
+#include "synthetic_out.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/queue/batch_queue.h"
+#include "ui/viewport/sherd_view.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+namespace {
+
+const QSize kSmall(853, 480);
+
+std::string pictureOfAPlate() {
+  QImage plate(640, 480, QImage::Format_RGB32);
+  plate.fill(Qt::darkGray);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  plate.save(&buffer, "JPG");
+  return bytes.toStdString();
+}
+
+}  // namespace
+
+class SmallWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    home_ = std::make_unique<Home>();
+    jobs_ = std::make_unique<ThreadedJobRunner>();
+  }
+  void cleanup() {
+    window_.reset();
+    jobs_.reset();
+    for (auto& translator : translators_) QApplication::removeTranslator(translator.get());
+    translators_.clear();
+  }
+
+  void languages() {
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << QStringLiteral("en");
+    QTest::newRow("German") << QStringLiteral("de");
+  }
+  void thePrimaryButtonOfEachScreenIsInSight_data() { languages(); }
+  void thePrimaryButtonOfEachScreenIsInSight() {
+    open();
+    for (const Station* station : window_->stations()) {
+      window_->showStationNamed(station->iconName(), {});
+      QTRY_VERIFY(station->isVisible());
+      QTRY_VERIFY2(isInSight(station->primary()), qPrintable(reportOf(*station)));
+    }
+  }
+
+  void thePrimaryButtonStaysInSightWhileABatchIsCaptured_data() { languages(); }
+  void thePrimaryButtonStaysInSightWhileABatchIsCaptured() {
+    open();
+    Station* capture = window_->stations().front();
+    window_->showStationNamed(capture->iconName(), {});
+    QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));  // no rig yet
+    CaptureWizard& wizard = *window_->wizard();
+    rig_ = std::make_unique<FakeRig>();
+    rig_->preview = pictureOfAPlate();
+    wizard.setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard.phase(), CapturePhase::Place);
+    QTRY_VERIFY(wizard.live().has_value());  // the picture is there
+    QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
+    rig_->refuse_shoot = Error{ErrorCode::Failed,
+                               "Camera B did not answer at position 5. Check its cable, then press "
+                               "Space.",
+                               "camera B"};
+    wizard.next();
+    QTRY_VERIFY(wizard.fault().has_value() && !wizard.isBusy());
+    QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
+    wizard.next();
+    QTRY_COMPARE(wizard.phase(), CapturePhase::Flip);
+    QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
+    rig_->back = 8;  // doubts take room as well
+    wizard.next();
+    QTRY_COMPARE(wizard.phase(), CapturePhase::Done);
+    QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
+  }
+
+  void theReviewShowsPhotographsModelOutlinesAndTools() {
+    open();
+    window_->showStationNamed(QStringLiteral("review"), {});
+    for (const char* part : {"sherd", "pictures", "outlines"}) {
+      QWidget* shown = named<QWidget>(*window_, part);
+      QTRY_VERIFY2(shown->height() >= kSmall.height() / 4 && isInSight(shown), part);
+    }
+    const QWidget* tools = named<QWidget>(*window_, "reviewTools");
+    QTRY_VERIFY(isInSight(tools));
+    QVERIFY(named<QWidget>(*window_, "mirrorButton")->isVisible());
+    QVERIFY(isInSight(tools->findChild<QWidget*>(QStringLiteral("moreTools"))));  // and the others
+  }
+
+  void theCatalogueShowsDetailsOrTheModel() {
+    open();
+    window_->showStationNamed(QStringLiteral("catalogue"), {});
+    QWidget* details = named<QWidget>(*window_, "details");
+    QTRY_VERIFY(details->isVisible() && details->height() >= kSmall.height() / 3);
+    auto* toggle = named<QAbstractButton>(*window_, "showModel");
+    QTRY_VERIFY(toggle->isVisible());
+    QTest::mouseClick(toggle, Qt::LeftButton);
+    QTRY_VERIFY(!details->isVisible() && named<QWidget>(*window_, "model")->isVisible());
+    window_->resize(1280, 720);
+    QTRY_VERIFY(details->isVisible() && named<QWidget>(*window_, "model")->isVisible());
+    QVERIFY(!toggle->isVisible());
+  }
+
+  void headAndStatusBarStay() {
+    open();
+    for (const char* part : {"headerWhere", "footerWork", "queuePauseFootButton"})
+      QTRY_VERIFY2(isInSight(named<QWidget>(*window_, part)), part);
+  }
+
+ private:
+  void open() {
+    QStringList names{QStringLiteral("ostraka_en")};
+    if (QTest::currentDataTag() == QLatin1String("German")) names << QStringLiteral("ostraka_de");
+    for (const QString& name : names) {
+      auto translator = std::make_unique<QTranslator>();
+      QVERIFY(translator->load(name, QStringLiteral(OSTRAKA_QM)));
+      QApplication::installTranslator(translator.get());
+      translators_.push_back(std::move(translator));
+    }
+    makeProject();
+    window_ = std::make_unique<MainWindow>(*jobs_);
+    window_->resize(kSmall);
+    activate(*window_);
+    window_->openProject(home_->path("Hill"));
+    QVERIFY(window_->session() != nullptr);
+    window_->queue()->setPaused(true);
+    QCOMPARE(window_->size(), kSmall);
+  }
+
+  void makeProject() {
+    const std::filesystem::path folder = home_->path("Hill").toStdString();
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Hill";
+    auto made = catalogue::Project::create(folder, record);
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    pipeline::SyntheticOptions options;
+    options.sherds = 6;
+    (void)pipeline::writeSyntheticOut(folder / "results" / "B0001", options);
+    catalogue::BatchRecord batch;
+    batch.number = "B0001";
+    batch.state = catalogue::BatchState::Review;
+    QVERIFY(made->catalogue().addBatch(batch, {}).has_value());
+    for (int i = 0; i < 8; ++i) {
+      catalogue::SherdRecord sherd;
+      sherd.ware = "grey";
+      QVERIFY(made->catalogue().addSherd(sherd, {}).has_value());
+    }
+  }
+
+  bool isInSight(const QWidget* widget) const {
+    if (widget == nullptr || !widget->isVisible()) return false;
+    const QRect there(widget->mapTo(window_.get(), QPoint()), widget->size());
+    return window_->rect().contains(there) &&
+           widget->visibleRegion().boundingRect() == widget->rect();
+  }
+  QString reportOf(const Station& station) const {
+    const QWidget* button = station.primary();
+    if (button == nullptr) return station.title() + QStringLiteral(": no primary button");
+    const QPoint at = button->mapTo(window_.get(), QPoint());
+    const QRect seen = button->visibleRegion().boundingRect();
+    return QStringLiteral("%1: '%2' at %3, %4 of %5 x %6, seen %7 x %8")
+        .arg(station.title(), button->objectName())
+        .arg(at.x())
+        .arg(at.y())
+        .arg(button->width())
+        .arg(button->height())
+        .arg(seen.width())
+        .arg(seen.height());
+  }
+
+  std::unique_ptr<Home> home_;
+  std::unique_ptr<JobRunner> jobs_;
+  std::unique_ptr<MainWindow> window_;
+  std::vector<std::unique_ptr<QTranslator>> translators_;
+  std::unique_ptr<FakeRig> rig_;
+};
+
+int main(int argc, char** argv) {
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  applyLook(application, Theme::Light, 100);
+  SmallWindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "small_window_test.moc"

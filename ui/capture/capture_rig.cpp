@@ -1,0 +1,101 @@
+// Which rig the screen photographs with, and what is said about photographs that are there already.
+#include <QAction>
+#include <utility>
+
+#include "catalogue/project.h"
+#include "ui/capture/batch_importer.h"
+#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/capture/rig_page.h"
+#include "ui/capture/rig_renewal.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr const char* kRigKey = "rig";
+
+}  // namespace
+
+// The same photographs once more are a slip more often than a wish.
+void CaptureStation::buildTwice() {
+  twice_ = new MessagePanel(this);
+  twice_->setObjectName(QStringLiteral("importTwice"));
+  twice_->setSecondAct(tr("Import them all the same"));
+  twice_->hide();
+  connect(importer_, &BatchImporter::alreadyThere, this,
+          [this](const QString& number, const QString& folder, int there, int files) {
+            twice_->showWords(
+                folder,
+                there == files
+                    ? tr("%1 has these files already; nothing was imported.").arg(number)
+                    : tr("%1 has %2 of these %3 files already; nothing was imported. To have them "
+                         "whole, import them all and set %1 aside in the queue.")
+                          .arg(number)
+                          .arg(there)
+                          .arg(files),
+                tr("OK"));
+          });
+  connect(importer_, &BatchImporter::started, twice_, &QWidget::hide);
+  for (QAction* import : {import_photographs_, import_scans_}) {  // one at a time
+    connect(importer_, &BatchImporter::started, import, [import] { import->setEnabled(false); });
+    connect(importer_, &BatchImporter::ended, import, [import] { import->setEnabled(true); });
+  }
+  connect(twice_, &MessagePanel::actedSecond, importer_, &BatchImporter::startAllTheSame);
+  connect(twice_, &MessagePanel::acted, this, [this] {
+    twice_->hide();
+    setFocus();
+  });
+}
+
+QString CaptureStation::rigWords() const {
+  if (wizard_->phase() == CapturePhase::NoRig) return {};
+  return isRigReady() ? wizard_->rigWords() : tr("does not answer");
+}
+bool CaptureStation::isRigReady() const {
+  return wizard_->phase() != CapturePhase::NoRig &&
+         !(wizard_->phase() == CapturePhase::Opening && wizard_->fault());
+}
+void CaptureStation::chooseRig(const RigChoice& choice) {
+  if (session_ == nullptr) return;
+  tried_rig_ = choice;
+  if (!wizard_->canKeepRig()) keepChoice(choice);
+  wizard_->setRig(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
+                                                          : fileRigSource(choice.file));
+  setFocus();
+}
+
+void CaptureStation::keepChoice(const RigChoice& choice) {
+  (void)session_->project().catalogue().setSetting(kRigKey, choice.toJson().toStdString());
+}
+
+// A rig that does not open leaves the place to the one that worked.
+void CaptureStation::followRig(const std::optional<Error>& why_not) {
+  if (session_ == nullptr) return;
+  const RigChoice tried = std::exchange(tried_rig_, {});
+  if (!why_not) {
+    if (tried.kind != RigChoice::Kind::None) keepChoice(tried);
+    return;
+  }
+  rig_page_->setChoice(rigChoice());
+  failure_->showError(*why_not, tr("OK"));
+  emit said(tr("The rig that worked before stays in use."));
+}
+
+RigChoice CaptureStation::rigChoice() const {
+  if (session_ == nullptr) return {};
+  const Result<std::string> rig = session_->project().catalogue().setting(kRigKey);
+  return RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
+}
+
+void CaptureStation::showItem(const QString& what) {
+  const QString batch = what.section(QStringLiteral("calibrate:"), 1);
+  if (session_ == nullptr || batch.isEmpty()) return;
+  const RigChoice choice = rigChoice();
+  if (choice.kind != RigChoice::Kind::File)
+    return emit said(tr("This project photographs with no calibrated rig of its own."));
+  renewal_->start(*session_, choice.file, batch);
+}
+
+}  // namespace ostraka::ui

@@ -60,7 +60,9 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   else if (bytes.starts_with("\xFE\xFF"))
     text = fromUtf16(bytes, true);
   else
-    text = bytes.substr(bytes.starts_with(kBom) ? kBom.size() : 0);
+    text = bytes;
+  // Programs that put their mark before a text that has one leave several.
+  while (text.starts_with(kBom)) text.erase(0, kBom.size());
   if (text.find('\0') != std::string::npos)
     return Error::unusable("The file is no text: it holds binary data, which no table does.",
                            where);

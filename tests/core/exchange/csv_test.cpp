@@ -47,6 +47,10 @@ TEST(Csv, Utf8WithOrWithoutMarkAndUtf16AreRead) {
   EXPECT_THAT(rowsOf("\xEF\xBB\xBF"
                      "a\né\n"),
               ElementsAre(ElementsAre("é")));
+  EXPECT_THAT(rowsOf("\xEF\xBB\xBF\xEF\xBB\xBF"
+                     "a\né\n"),
+              ElementsAre(ElementsAre("é")))
+      << "a second mark is no part of the first column's name";
   EXPECT_THAT(rowsOf(std::string("\xFF\xFE"
                                  "a\0\n\0\xE9\0\n\0",
                                  10)),

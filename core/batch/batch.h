@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -16,7 +16,15 @@ const char* name(Side side);  ///< "front" or "back"
 /// 0 is A (the lowest), 1 is B; beyond Z the number. Files count from 0, people read letters.
 std::string cameraLetter(int camera);
 
-/// One photograph. Cameras stand still, the plate turns: (side, camera, stop) is unique in a batch.
+/// What stands still while a side is photographed.
+enum class Way {
+  Rig,         ///< the cameras: the marker plate turns below them, with the sherds on it
+  FreeCamera,  ///< the sherds: each photograph is taken from a place of its own, with one camera
+};
+
+/// One photograph; (side, camera, stop) is unique in a batch. Way::FreeCamera: `camera` counts the
+/// photographs of the side in the order of their names, `stop` is 0, since the light stands still
+/// over the sherds as it does at one stop of a rig.
 struct Shot {
   Side side = Side::Front;
   int camera = 0;
@@ -34,6 +42,9 @@ struct Marker {
 struct Plate {
   std::string dictionary;  ///< OpenCV's name, as DICT_4X4_100
   double diameter_mm = 0;  ///< not in plate.json: of the circle through the farthest marker corner
+  /// A printed sheet in place of a round plate: the paper's extent, plate frame, mm. Absent where
+  /// plate.json has a diameter.
+  std::optional<Eigen::AlignedBox2d> sheet;
   std::vector<Marker> markers;
 };
 
@@ -63,6 +74,7 @@ struct CalibrationShot {
 /// A batch folder as in ../shared/batches/README.md, or the paper's layout (top_images, ...).
 struct Batch {
   std::filesystem::path folder;
+  Way way = Way::Rig;
   std::vector<Shot> shots;                    ///< sorted by side, camera, stop
   std::vector<CalibrationShot> calibration;   ///< of the ChArUco board; may be empty
   std::vector<CalibrationShot> empty_plates;  ///< the bare plate at stop 0; may be empty

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -114,6 +115,30 @@ double markedDiameter(const Plate& plate) {
   return 2 * radius;
 }
 
+// The paper's extent where the file does not say it: around the markers, with as much margin as
+// there is between neighbours, which is what printers leave at least.
+Eigen::AlignedBox2d markedSheet(const Plate& plate) {
+  Eigen::AlignedBox2d box;
+  double gap = std::numeric_limits<double>::max();
+  for (const Marker& marker : plate.markers)
+    for (const Eigen::Vector3d& corner : marker.corners) {
+      box.extend(corner.head<2>());
+      for (const Marker& other : plate.markers)
+        for (const Eigen::Vector3d& to : other.corners)
+          if (&other != &marker) gap = std::min(gap, (to - corner).norm());
+    }
+  if (plate.markers.size() < 2) gap = 0;
+  box.min().array() -= gap;
+  box.max().array() += gap;
+  return box;
+}
+
+Eigen::AlignedBox2d sheetFromJson(const nlohmann::json& size) {
+  const Eigen::Vector2d half(0.5 * numberIn(size.at(0), "sheet", 1, 2 * kMost_mm),
+                             0.5 * numberIn(size.at(1), "sheet", 1, 2 * kMost_mm));
+  return {-half, half};
+}
+
 // The names differ between our boards and those of others.
 double lengthFromJson(const nlohmann::json& value, const char* ours, const char* theirs) {
   return numberAt(value, value.contains(ours) ? ours : theirs, 0.01, kMost_mm);
@@ -136,15 +161,20 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     }
     plate.diameter_mm =
         json->contains("diameter") ? numberAt(*json, "diameter", 1, 2 * kMost_mm) : 0;
+    if (json->contains("sheet")) plate.sheet = sheetFromJson(json->at("sheet"));
   } catch (const nlohmann::json::exception& refused) {
     return unusableJson(
         refused,
         "The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers "
-        "each; 'diameter', where it is given, is a number in mm.",
+        "each; 'diameter', where it is given, is a number in mm, 'sheet' the paper's width and "
+        "height.",
         file);
   }
   if (Result<void> good = checkMarkers(plate.markers, file); !good) return good.error();
-  if (plate.diameter_mm == 0) plate.diameter_mm = markedDiameter(plate);
+  if (plate.diameter_mm == 0) {
+    plate.diameter_mm = markedDiameter(plate);
+    if (!plate.sheet) plate.sheet = markedSheet(plate);
+  }
   return plate;
 }
 

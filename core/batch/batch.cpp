@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "batch/image_header.h"
-#include "batch/photograph.h"
+#include "batch/photographs.h"
 
 namespace ostraka::batch {
 namespace fs = std::filesystem;
@@ -58,11 +58,7 @@ bool emptyPlateCamera(const fs::path& file, int first, int& camera) {
 }
 
 std::vector<fs::path> imagesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code failed;
-  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
-    if (hasPhotographEnding(it->path()) && !it->path().filename().string().starts_with("."))
-      files.push_back(it->path());
+  std::vector<fs::path> files = photographsIn(folder);
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -96,19 +92,67 @@ class Reader {
       return Error::unusable("There is no such folder; name the folder of a batch.", batch_.folder);
     const Result<Layout> layout = findLayout();
     if (!layout) return layout.error();
-    for (const Side side : {Side::Front, Side::Back}) collectShots(*layout, side);
-    for (const Side side : {Side::Front, Side::Back}) nameAbsent(*layout, side);
-    keepOneSizePerCamera();
-    for (const Side side : {Side::Front, Side::Back})
-      if (const Result<void> enough = checkViews(*layout, side); !enough) return enough.error();
-    collectCalibration();
-    if (const Result<void> read = readPlateAndBoard(); !read) return read.error();
+    batch_.way = wayOf(*layout);
+    if (const Result<void> read =
+            batch_.way == Way::FreeCamera ? readFreeCameras(*layout) : readRig(*layout);
+        !read)
+      return read.error();
+    if (const Result<void> read =
+            readDescriptions({batch_.folder / "plate.json"}, options_, batch_);
+        !read)
+      return read.error();
     return std::move(batch_);
   }
 
  private:
   void warn(const fs::path& file, const std::string& what) {
     progress_.note(NoteLevel::Warning, file.string() + ": " + what);
+  }
+
+  static bool isRigName(const Layout& layout, const fs::path& file) {
+    int camera = 0, stop = 0;
+    return camNumbers(file, layout.between, layout.first_camera, camera, stop) &&
+           camera >= layout.first_camera;
+  }
+
+  // By most names of both sides; a folder without photographs is a rig's that is not filled yet.
+  Way wayOf(const Layout& layout) const {
+    std::ptrdiff_t rig = 0, other = 0;
+    for (const char* side : layout.folder)
+      for (const fs::path& file : photographsIn(batch_.folder / side))
+        ++(isRigName(layout, file) ? rig : other);
+    return other > rig ? Way::FreeCamera : Way::Rig;
+  }
+
+  Result<void> readFreeCameras(const Layout& layout) {
+    std::error_code ignored;
+    for (const Side side : {Side::Front, Side::Back}) {
+      const int s = side == Side::Front ? 0 : 1;
+      const fs::path folder = batch_.folder / layout.folder[s];
+      if (side == Side::Back && !fs::is_directory(folder, ignored)) continue;
+      FreeSide free{side, photographsIn(folder), folder, batch_.folder / layout.masks[s]};
+      std::erase_if(free.files, [&](const fs::path& file) {
+        if (!isRigName(layout, file)) return false;
+        warn(file,
+             "The name is that of a rig's photograph, but most others are not; this photograph is "
+             "left out.");
+        return true;
+      });
+      Result<std::vector<Shot>> shots = freeCameraShots(free, options_, progress_);
+      if (!shots) return shots.error();
+      std::move(shots->begin(), shots->end(), std::back_inserter(batch_.shots));
+    }
+    return {};
+  }
+
+  Result<void> readRig(const Layout& layout) {
+    for (const Side side : {Side::Front, Side::Back}) collectShots(layout, side);
+    for (const Side side : {Side::Front, Side::Back}) nameAbsent(layout, side);
+    keepOneSizePerCamera();
+    for (const Side side : {Side::Front, Side::Back})
+      if (const Result<void> enough = checkViews(layout, side); !enough) return enough.error();
+    collectCalibration();
+    return {};
   }
 
   Result<Layout> findLayout() const {
@@ -118,7 +162,8 @@ class Reader {
       for (int s = 0; s < 2; ++s)
         there[s] = fs::is_directory(batch_.folder / layout.folder[s], ignored);
       if (there[0] && there[1]) return layout;
-      if (there[0] && options_.min_views_per_side == 0) return layout;
+      if (there[0] && (options_.min_views_per_side == 0 || wayOf(layout) == Way::FreeCamera))
+        return layout;
       if (there[0] || there[1]) {
         const int s = there[0] ? 1 : 0;
         return Error::unusable(std::string("The ") + name(s ? Side::Back : Side::Front) +
@@ -135,9 +180,7 @@ class Reader {
 
   void collectShots(const Layout& layout, Side side) {
     const int s = side == Side::Front ? 0 : 1;
-    std::map<std::string, fs::path> masks;
-    for (const fs::path& mask : imagesIn(batch_.folder / layout.masks[s]))
-      masks.emplace(lowerCase(mask.stem().string()), mask);
+    const GivenMasks masks(batch_.folder / layout.masks[s]);
     for (const fs::path& file : imagesIn(batch_.folder / layout.folder[s])) {
       Shot shot;
       shot.side = side;
@@ -161,7 +204,7 @@ class Reader {
       }
       shot.width = size->width;
       shot.height = size->height;
-      attachMask(shot, masks);
+      masks.attachTo(shot, progress_);
       batch_.shots.push_back(std::move(shot));
     }
     std::sort(batch_.shots.begin(), batch_.shots.end(), [](const Shot& a, const Shot& b) {
@@ -214,18 +257,6 @@ class Reader {
     warn(batch_.folder / layout.folder[side == Side::Front ? 0 : 1],
          "Photographs are missing here: " + names +
              "; what only they see will be filled in, so take them again if they matter.");
-  }
-
-  void attachMask(Shot& shot, const std::map<std::string, fs::path>& masks) {
-    const auto found = masks.find(lowerCase(shot.file.stem().string()));
-    if (found == masks.end()) return;
-    const Result<ImageSize> size = readImageSize(found->second);
-    if (!size)
-      progress_.note(NoteLevel::Warning, size.error().sentence() + " This mask is not used.");
-    else if (*size != ImageSize{shot.width, shot.height})
-      warn(found->second, "The mask's size is not its photograph's; it is not used.");
-    else
-      shot.mask_file = found->second;
   }
 
   // The size that most photographs of a camera have; the smaller one where two are as frequent, so
@@ -295,26 +326,6 @@ class Reader {
       else
         (empty ? batch_.empty_plates : batch_.calibration).push_back(std::move(shot));
     }
-  }
-
-  Result<void> readPlateAndBoard() {
-    std::error_code ignored;
-    if (const fs::path file = batch_.folder / "plate.json"; fs::exists(file, ignored)) {
-      Result<Plate> plate = readPlate(file);
-      if (!plate) return plate.error();
-      batch_.plate = std::move(*plate);
-    }
-    if (const fs::path file = batch_.folder / "board.json"; fs::exists(file, ignored)) {
-      Result<Board> board = readBoard(file);
-      if (!board) return board.error();
-      batch_.board = std::move(*board);
-    }
-    if (const fs::path file = batch_.folder / "scale.json"; fs::exists(file, ignored)) {
-      Result<std::vector<KnownLength>> lengths = readKnownLengths(file);
-      if (!lengths) return lengths.error();
-      batch_.known_lengths = std::move(*lengths);
-    }
-    return {};
   }
 
   ReadBatchOptions options_;

@@ -79,16 +79,26 @@ struct Batch {
   std::vector<CalibrationShot> calibration;   ///< of the ChArUco board; may be empty
   std::vector<CalibrationShot> empty_plates;  ///< the bare plate at stop 0; may be empty
   std::optional<Plate> plate;                 ///< absent in the paper's layout
+  std::filesystem::path plate_file;           ///< which says so; empty where there is no plate
   std::optional<Board> board;
   std::vector<KnownLength> known_lengths;  ///< of scale.json; with a plate they check it
 };
 
 struct ReadBatchOptions {
   int min_views_per_side = 3;  ///< fewer usable photographs of a side cannot be reconstructed
+  /// Way::FreeCamera: photographs of a side beyond this are thinned out. A full turn in steps of 5
+  /// degrees, as finely as views differ to stereo; each more costs time and memory.
+  int max_free_views = 72;
+  /// Way::FreeCamera: smaller photographs are thumbnails; the largest usual ones, of 640 x 480
+  /// pixels, have 0.31 megapixels.
+  double least_free_megapixels = 0.35;
+  std::optional<std::filesystem::path> sheet;  ///< read in place of plate.json in the folder
 };
 
 /// Reads the folder's structure and the images' headers; never looks into truth/. A shot that
-/// cannot be used is left out with a warning; a missing side or too few views is an error.
+/// cannot be used is left out with a warning; a missing side or too few views is an error. Whether
+/// most names are those of a rig's cameras and positions decides Batch::way; a batch of free
+/// cameras may have a front alone.
 Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOptions& options,
                         Progress& progress);
 

@@ -95,7 +95,8 @@ ordered_json batchHashes(const batch::Batch& batch, int threads) {
   }
   for (const batch::CalibrationShot& shot : batch.calibration) files.push_back(shot.file);
   for (const batch::CalibrationShot& shot : batch.empty_plates) files.push_back(shot.file);
-  for (const char* name : {"plate.json", "board.json", "scale.json"})
+  if (!batch.plate_file.empty()) files.push_back(batch.plate_file);
+  for (const char* name : {"board.json", "scale.json"})
     if (fs::exists(batch.folder / name)) files.push_back(batch.folder / name);
   std::vector<std::string> hashes(files.size());
   parallelFor(files.size(), threads, [&](std::size_t i) {

@@ -1,0 +1,308 @@
+#include "batch/photographs.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <system_error>
+
+#include "base/text.h"
+#include "batch/exif.h"
+#include "batch/image_header.h"
+#include "batch/photograph.h"
+
+namespace ostraka::batch {
+namespace fs = std::filesystem;
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Takes a run of digits from the front, without its leading zeros.
+std::string_view takeNumber(std::string_view& name) {
+  std::size_t digits = 0;
+  while (digits < name.size() && isDigit(name[digits])) ++digits;
+  std::string_view number = name.substr(0, digits);
+  name.remove_prefix(digits);
+  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+  return number;
+}
+
+std::string stemOf(const fs::path& file) {
+  return lowerCase(file.stem().string());
+}
+
+double pixels(int width, int height) {
+  return static_cast<double>(width) * height;
+}
+
+// "IMG_1.jpg, IMG_2.jpg and 10 more".
+std::string someOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 3;
+  std::string some;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i)
+    some += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kNamed) some += " and " + std::to_string(names.size() - kNamed) + " more";
+  return some;
+}
+
+void warn(Progress& progress, const fs::path& where, const std::string& what) {
+  progress.note(NoteLevel::Warning, where.string() + ": " + what);
+}
+
+std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options,
+                           Progress& progress) {
+  std::vector<Shot> shots;
+  std::set<std::string> stems;
+  std::vector<std::string> small;
+  for (const fs::path& file : side.files) {
+    const Result<ImageSize> size = readImageSize(file);
+    if (!size) {
+      progress.note(NoteLevel::Warning, size.error().sentence() + " This photograph is left out.");
+      continue;
+    }
+    if (pixels(size->width, size->height) < 1e6 * options.least_free_megapixels) {
+      small.push_back(file.filename().string());
+      continue;
+    }
+    // Results carry the stem, and a camera may write a picture in two formats.
+    if (!stems.insert(stemOf(file)).second) {
+      warn(progress, file, "Another photograph has the same name; this one is left out.");
+      continue;
+    }
+    Shot shot;
+    shot.side = side.side;
+    shot.file = file;
+    shot.width = size->width;
+    shot.height = size->height;
+    shots.push_back(std::move(shot));
+  }
+  if (!small.empty())
+    warn(progress, side.folder,
+         "Photographs of less than " + fixed(options.least_free_megapixels, 2) +
+             " megapixels are left out (" + someOf(small) +
+             "); copy the originals from the camera in place of thumbnails.");
+  return shots;
+}
+
+// Bytes that the camera's compression needed for a pixel: of neighbours, which show the same scene,
+// a blurred one needs fewer.
+double detailOf(const Shot& shot) {
+  std::error_code failed;
+  const std::uintmax_t bytes = fs::file_size(shot.file, failed);
+  return failed ? 0 : static_cast<double>(bytes) / pixels(shot.width, shot.height);
+}
+
+// As they were taken, where each says when; else as they come.
+void sortByTime(std::vector<Shot>& shots) {
+  std::vector<std::pair<std::int64_t, std::size_t>> taken;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const std::optional<std::int64_t> ms = readExif(shots[i].file).takenMs();
+    if (!ms) return;
+    taken.emplace_back(*ms, i);
+  }
+  std::sort(taken.begin(), taken.end());
+  std::vector<Shot> sorted;
+  for (const auto& [ms, i] : taken) sorted.push_back(std::move(shots[i]));
+  shots = std::move(sorted);
+}
+
+// The most detailed photograph of each of `most` stretches of the series.
+std::vector<Shot> thinned(std::vector<Shot> shots, std::size_t most) {
+  sortByTime(shots);
+  std::vector<Shot> chosen;
+  for (std::size_t k = 0; k < most; ++k) {
+    const std::size_t from = k * shots.size() / most, to = (k + 1) * shots.size() / most;
+    std::size_t best = from;
+    for (std::size_t i = from + 1; i < to; ++i)
+      if (detailOf(shots[i]) > detailOf(shots[best])) best = i;
+    chosen.push_back(std::move(shots[best]));
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const Shot& a, const Shot& b) {
+    return inNaturalOrder(a.file.filename().string(), b.file.filename().string());
+  });
+  return chosen;
+}
+
+fs::path wholePath(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+bool isFolder(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder, ignored);
+}
+
+bool isBatchFolder(const fs::path& folder) {
+  for (const char* side : {"front", "back", "top_images", "bottom_images"})
+    if (isFolder(folder / side)) return true;
+  return false;
+}
+
+FreeSide plainSide(Side side, const fs::path& folder, bool alone) {
+  FreeSide plain{side, photographsIn(folder), folder, {}};
+  std::vector<fs::path> masks{folder / "masks",
+                              folder.parent_path() / (folder.filename().string() + "_masks")};
+  if (alone) masks.push_back(folder.parent_path() / "masks");
+  const auto found = std::find_if(masks.begin(), masks.end(), isFolder);
+  if (found != masks.end() && *found != folder) plain.mask_folder = *found;
+  return plain;
+}
+
+Result<void> areTwoFolders(const fs::path& front, const std::optional<fs::path>& back) {
+  for (const fs::path& folder : {front, back.value_or(front)})
+    if (!isFolder(folder))
+      return Error::unusable("There is no such folder; name one with the photographs of a side.",
+                             folder);
+  std::error_code ignored;
+  if (back && fs::equivalent(front, *back, ignored))
+    return Error::unusable(
+        "This folder was named for the front and for the back; name the folder of each side.",
+        front);
+  return {};
+}
+
+}  // namespace
+
+bool inNaturalOrder(std::string_view a, std::string_view b) {
+  const std::string_view whole_a = a, whole_b = b;
+  while (!a.empty() && !b.empty()) {
+    if (isDigit(a[0]) && isDigit(b[0])) {
+      const std::string_view m = takeNumber(a), n = takeNumber(b);
+      if (m.size() != n.size()) return m.size() < n.size();
+      if (m != n) return m < n;
+      continue;
+    }
+    const auto lower = [](char c) {
+      return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    };
+    if (lower(a[0]) != lower(b[0])) return lower(a[0]) < lower(b[0]);
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  return a.empty() != b.empty() ? a.empty() : whole_a < whole_b;
+}
+
+std::vector<fs::path> photographsIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+    if (hasPhotographEnding(it->path()) && !it->path().filename().string().starts_with("."))
+      files.push_back(it->path());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return inNaturalOrder(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchOptions& options,
+                                          Progress& progress) {
+  if (side.files.empty())
+    return Error::unusable(
+        "There are no photographs in this folder; put the photographs of one side there.",
+        side.folder);
+  std::vector<Shot> shots = readable(side, options, progress);
+  const auto most = static_cast<std::size_t>(options.max_free_views);
+  if (shots.size() > most) {
+    warn(progress, side.folder,
+         std::to_string(most) + " of the " + std::to_string(shots.size()) +
+             " photographs are used: the most detailed ones, spread over the series. More take "
+             "longer and add little.");
+    shots = thinned(std::move(shots), most);
+  }
+  if (static_cast<int>(shots.size()) < options.min_views_per_side)
+    return Error{ErrorCode::NotEnough,
+                 std::string("The ") + name(side.side) + " side has " +
+                     std::to_string(shots.size()) + " usable photographs, at least " +
+                     std::to_string(options.min_views_per_side) +
+                     " are needed; take more from all around.",
+                 side.folder.string()};
+  const GivenMasks masks(side.mask_folder);
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    shots[i].camera = static_cast<int>(i);
+    masks.attachTo(shots[i], progress);
+  }
+  return shots;
+}
+
+Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::path>& back,
+                              const std::optional<fs::path>& sheet, const ReadBatchOptions& options,
+                              Progress& progress) {
+  ReadBatchOptions with_sheet = options;
+  if (sheet) with_sheet.sheet = sheet;
+  const fs::path folder[2] = {wholePath(front), back ? wholePath(*back) : fs::path()};
+  if (!back && (isBatchFolder(folder[0]) || !isFolder(folder[0])))
+    return readBatch(front, with_sheet, progress);
+  if (!back && photographsIn(folder[0]).empty())
+    return Error::unusable(
+        "There are neither photographs in this folder nor the folders 'front' and 'back' of a "
+        "batch; name a folder with photographs.",
+        folder[0]);
+  if (const Result<void> two = areTwoFolders(front, back); !two) return two.error();
+  const bool common = back && folder[0].parent_path() == folder[1].parent_path();
+  Batch batch;
+  batch.way = Way::FreeCamera;
+  batch.folder = common ? folder[0].parent_path() : folder[0];
+  for (const Side side : {Side::Front, Side::Back}) {
+    if (side == Side::Back && !back) continue;
+    Result<std::vector<Shot>> shots = freeCameraShots(
+        plainSide(side, folder[side == Side::Front ? 0 : 1], !back), with_sheet, progress);
+    if (!shots) return shots.error();
+    std::move(shots->begin(), shots->end(), std::back_inserter(batch.shots));
+  }
+  std::vector<fs::path> plates{folder[0] / "plate.json"};
+  if (back) plates.push_back(folder[1] / "plate.json");
+  if (common || !back) plates.push_back(folder[0].parent_path() / "plate.json");
+  if (const Result<void> read = readDescriptions(plates, with_sheet, batch); !read)
+    return read.error();
+  return batch;
+}
+
+GivenMasks::GivenMasks(const fs::path& folder) {
+  if (folder.empty()) return;
+  for (const fs::path& mask : photographsIn(folder)) by_stem_.emplace_back(stemOf(mask), mask);
+  std::sort(by_stem_.begin(), by_stem_.end());
+}
+
+void GivenMasks::attachTo(Shot& shot, Progress& progress) const {
+  const std::string stem = stemOf(shot.file);
+  const auto found =
+      std::lower_bound(by_stem_.begin(), by_stem_.end(), stem,
+                       [](const auto& mask, const std::string& of) { return mask.first < of; });
+  if (found == by_stem_.end() || found->first != stem) return;
+  const Result<ImageSize> size = readImageSize(found->second);
+  if (!size)
+    progress.note(NoteLevel::Warning, size.error().sentence() + " This mask is not used.");
+  else if (*size != ImageSize{shot.width, shot.height})
+    warn(progress, found->second, "The mask's size is not its photograph's; it is not used.");
+  else
+    shot.mask_file = found->second;
+}
+
+Result<void> readDescriptions(const std::vector<fs::path>& plates, const ReadBatchOptions& options,
+                              Batch& batch) {
+  std::error_code ignored;
+  const auto found = std::find_if(plates.begin(), plates.end(), [&ignored](const fs::path& file) {
+    return fs::exists(file, ignored);
+  });
+  if (options.sheet || found != plates.end()) {
+    batch.plate_file = options.sheet ? wholePath(*options.sheet) : *found;
+    Result<Plate> plate = readPlate(batch.plate_file);
+    if (!plate) return plate.error();
+    batch.plate = std::move(*plate);
+  }
+  if (const fs::path file = batch.folder / "board.json"; fs::exists(file, ignored)) {
+    Result<Board> board = readBoard(file);
+    if (!board) return board.error();
+    batch.board = std::move(*board);
+  }
+  if (const fs::path file = batch.folder / "scale.json"; fs::exists(file, ignored)) {
+    Result<std::vector<KnownLength>> lengths = readKnownLengths(file);
+    if (!lengths) return lengths.error();
+    batch.known_lengths = std::move(*lengths);
+  }
+  return {};
+}
+
+}  // namespace ostraka::batch

@@ -1,0 +1,66 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "batch/batch.h"
+
+namespace ostraka::batch {
+
+/// Whether name a comes before b for people: numbers count by their value (IMG_2 before IMG_10),
+/// capitals as small letters. Equal names in that sense are ordered by their bytes.
+bool inNaturalOrder(std::string_view a, std::string_view b);
+
+/// Files of the folder whose names end like a photograph's, in natural order; not hidden ones, and
+/// not what lies in folders within. Empty where the folder cannot be read.
+std::vector<std::filesystem::path> photographsIn(const std::filesystem::path& folder);
+
+/// A side photographed by hand (Way::FreeCamera).
+struct FreeSide {
+  Side side = Side::Front;
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path folder;  ///< of the files, for sentences
+  std::filesystem::path
+      mask_folder;  ///< masks by the photographs' stems; empty when there are none
+};
+
+/// Shots in natural order of their names, each a camera of its own; sizes may differ. Left out,
+/// with a warning that names them: what is no image, thumbnails, a second photograph of the same
+/// stem, and all beyond ReadBatchOptions::max_free_views: these are thinned to the most detailed
+/// ones of equally long stretches of the series. Errors: UnusableInput (no photograph at all),
+/// NotEnough.
+Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchOptions& options,
+                                          Progress& progress);
+
+/// What a person names on a command line: one or two folders with photographs under any names, each
+/// a side photographed by hand over one sheet (Way::FreeCamera); or the folder of a batch, which is
+/// read by `readBatch`. `front` alone is a side whose back was not photographed.
+/// Batch::folder: the folder in which both lie, else the front's own. The sheet is read from
+/// `sheet`, or else from plate.json beside the photographs or in the folder above (of two folders:
+/// in the one above both); board.json and scale.json from Batch::folder. Masks are those in
+/// FRONT/masks or FRONT_masks, or in ../masks of a single folder, where they have a photograph's
+/// stem and size. Errors: UnusableInput, NotEnough.
+Result<Batch> readPhotographs(const std::filesystem::path& front,
+                              const std::optional<std::filesystem::path>& back,
+                              const std::optional<std::filesystem::path>& sheet,
+                              const ReadBatchOptions& options, Progress& progress);
+
+/// The mask that came with a photograph, by its stem: sets Shot::mask_file when it has its size.
+class GivenMasks {
+ public:
+  explicit GivenMasks(const std::filesystem::path& folder);  ///< need not be there
+  void attachTo(Shot& shot, Progress& progress) const;
+
+ private:
+  std::vector<std::pair<std::string, std::filesystem::path>> by_stem_;  // sorted
+};
+
+/// Reads what the folder says about sizes into the batch: the plate from `options.sheet` or else
+/// from the first file of `plates` that is there; board.json and scale.json from Batch::folder.
+Result<void> readDescriptions(const std::vector<std::filesystem::path>& plates,
+                              const ReadBatchOptions& options, Batch& batch);
+
+}  // namespace ostraka::batch

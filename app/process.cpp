@@ -102,17 +102,28 @@ int runProcess(const ProcessOptions& options, Session& session) {
 
 void addProcess(CLI::App& root, Command& chosen) {
   CLI::App* command =
-      root.add_subcommand("process", "Turn a batch folder of photographs into complete sherds");
+      root.add_subcommand("process", "Turn photographs of sherds into complete models");
   command->footer(
+      "PHOTOGRAPHS is a batch folder (front/, back/, plate.json), or a folder with photographs by\n"
+      "hand of the front; BACK then has those of the back. Names and formats are as the camera "
+      "left\n"
+      "them. plate.json of the sheet lies beside the photographs, in the folder above, or is "
+      "named.\n"
+      "\n"
       "Stopped or killed, the same command goes on from the last whole stage. Open "
       "OUT/report.html\n"
       "to look at the result.");
   auto options = std::make_shared<ProcessOptions>();
-  command->add_option("BATCH", options->batch, "Batch folder (front/, back/, plate.json, ...)")
+  command
+      ->add_option("PHOTOGRAPHS", options->batch,
+                   "Batch folder, or folder with the photographs of the front")
       ->required();
+  command->add_option("BACK", options->back, "Folder with the photographs of the back");
   command->add_option("--output,-o", options->output, "Folder for the result; made when absent")
       ->required();
   command->add_option("--rig", options->rig, "RIG.json of an earlier calibration");
+  command->add_option("--sheet", options->sheet,
+                      "Printed sheet or plate under the sherds, as a JSON file like plate.json");
   addThreads(*command, options->threads);
   command->add_option("--dense", options->dense, "Dense reconstruction: builtin, colmap or openmvs")
       ->transform(CLI::CheckedTransformer(

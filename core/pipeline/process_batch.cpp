@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/parallel.h"
+#include "batch/photographs.h"
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
 #include "pipeline/camera_settings.h"
@@ -387,13 +388,15 @@ Result<void> ProcessOptions::check() const {
   if (output.empty())
     return Error{ErrorCode::UnusableInput, "No output folder was given (--output OUT).", {}};
   std::error_code failed;
-  const fs::path folder = fs::weakly_canonical(batch, failed);
-  const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
-  if (!beyond.empty() && *beyond.begin() != "..")
-    return Error{ErrorCode::UnusableInput,
-                 "The output folder lies in the batch folder, where nothing is ever written; "
-                 "choose one beside it.",
-                 output.string()};
+  for (const fs::path& input : {batch, back.value_or(batch)}) {
+    const fs::path folder = fs::weakly_canonical(input, failed);
+    const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
+    if (!beyond.empty() && *beyond.begin() != "..")
+      return Error{ErrorCode::UnusableInput,
+                   "The output folder lies in the batch folder, where nothing is ever written; "
+                   "choose one beside it.",
+                   output.string()};
+  }
   if (!(megapixels >= 0.3))
     return Error{ErrorCode::UnusableInput,
                  "Photographs cannot be averaged down to less than 0.3 megapixels.",
@@ -423,7 +426,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   const auto begin = std::chrono::steady_clock::now();
   WarningsKept reading(progress);
-  const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, reading);
+  const Result<batch::Batch> batch =
+      batch::readPhotographs(options.batch, options.back, options.sheet, {}, reading);
   if (!batch) return batch.error();
   for (const std::string& warning : settingsWarnings(*batch, options.threads))
     reading.note(NoteLevel::Warning, warning);

@@ -18,7 +18,10 @@ enum class DenseMethod { Builtin, Colmap, OpenMvs };
 constexpr double kDraftMegapixels = 0.8;
 
 struct ProcessOptions {
-  std::filesystem::path batch;               ///< batch folder; nothing in it is ever written
+  /// A batch folder, or one with the photographs of the front; nothing in it is ever written.
+  std::filesystem::path batch;
+  std::optional<std::filesystem::path> back;   ///< photographs of the back; batch holds the front's
+  std::optional<std::filesystem::path> sheet;  ///< in place of plate.json beside the photographs
   std::filesystem::path output;              ///< OUT; created, or continued when of the same batch
   std::optional<std::filesystem::path> rig;  ///< RIG.json of an earlier calibration
   DenseMethod dense = DenseMethod::Builtin;

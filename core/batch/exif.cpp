@@ -12,6 +12,7 @@
 
 #include "base/input_file.h"
 #include "base/limits.h"
+#include "batch/heif_image.h"
 
 namespace ostraka::batch {
 namespace {
@@ -117,6 +118,7 @@ std::string Exif::json() const {
   putText("BodySerialNumber", serial);
   putText("LensModel", lens);
   put("FocalLength", focal_length_mm);
+  put("FocalLengthIn35mmFilm", focal_length_35mm);
   put("FNumber", f_number);
   put("ExposureTime", exposure_s);
   put("ISO", iso);
@@ -145,6 +147,10 @@ std::optional<std::int64_t> Exif::takenMs() const {
 }
 
 Exif exifIn(std::string_view bytes) {
+  if (isHeif(bytes)) {
+    const std::string tiff = heifExif(bytes);
+    return isTiff(tiff) ? exifIn(tiff) : Exif();
+  }
   const bool jpeg = bytes.starts_with("\xff\xd8");
   if (!jpeg && !isTiff(bytes)) return {};
   const Data data = parsed(jpeg ? bytes.substr(0, kHead_bytes) : bytes);
@@ -157,6 +163,9 @@ Exif exifIn(std::string_view bytes) {
   exif.focal_length_mm = ratioOf(data, EXIF_TAG_FOCAL_LENGTH);
   exif.f_number = ratioOf(data, EXIF_TAG_FNUMBER);
   exif.exposure_s = ratioOf(data, EXIF_TAG_EXPOSURE_TIME);
+  if (const auto mm = shortOf(data, EXIF_IFD_EXIF, EXIF_TAG_FOCAL_LENGTH_IN_35MM_FILM);
+      mm && *mm > 0)
+    exif.focal_length_35mm = mm;
   exif.iso = shortOf(data, EXIF_IFD_EXIF, EXIF_TAG_ISO_SPEED_RATINGS);
   if (const auto balance = shortOf(data, EXIF_IFD_EXIF, EXIF_TAG_WHITE_BALANCE))
     exif.auto_white_balance = *balance == 0;
@@ -172,7 +181,7 @@ Exif readExif(const std::filesystem::path& file) {
   Result<InputFile> in = InputFile::open(file);
   if (!in || in->size_bytes() > limits::kImageBytes.most) return {};
   Result<std::string> bytes = in->read(std::min(kHead_bytes, in->size_bytes()));
-  if (bytes && isTiff(*bytes))  // its directories may stand at its end
+  if (bytes && (isTiff(*bytes) || isHeif(*bytes)))  // the block may stand at its end
     if (const Result<std::string> rest = in->read(in->size_bytes() - bytes->size()))
       *bytes += *rest;
   return bytes ? exifIn(*bytes) : Exif();

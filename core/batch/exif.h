@@ -11,6 +11,7 @@ namespace ostraka::batch {
 struct Exif {
   std::string make, model, serial, lens;  ///< serial: of the body
   std::optional<double> focal_length_mm, f_number, exposure_s;
+  std::optional<int> focal_length_35mm;  ///< that sees as much on a picture 36 mm wide
   std::optional<int> iso;
   std::optional<bool> auto_white_balance;
   std::string taken;   ///< by the camera's clock, 2026-07-14T09:30:12.25
@@ -24,8 +25,8 @@ struct Exif {
   std::optional<std::int64_t> takenMs() const;
 };
 
-/// From a JPEG's or TIFF's bytes; anything else, and what is damaged, gives nothing. Of a JPEG the
-/// first 256 KiB are enough.
+/// From the bytes of a JPEG, TIFF, HEIC or of a RAW built like TIFF; anything else, and what is
+/// damaged, gives nothing. Of a JPEG the first 256 KiB are enough.
 Exif exifIn(std::string_view bytes);
 Exif readExif(const std::filesystem::path& file);
 

@@ -5,6 +5,8 @@
 
 #include "base/files.h"
 #include "base/limits.h"
+#include "batch/heif_image.h"
+#include "batch/raw_image.h"
 
 namespace ostraka::batch {
 namespace {
@@ -35,15 +37,6 @@ class Bytes {
 Error cutOff(const std::string& where) {
   return Error::unusable("The image is cut off before its end; copy it from the camera again.",
                          where);
-}
-
-Result<ImageSize> checked(std::int64_t width, std::int64_t height, const std::string& where) {
-  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
-      width * height > kMaxPixels)
-    return Error::unusable("The image claims a size of " + std::to_string(width) + " x " +
-                               std::to_string(height) + " pixels, which cannot be used.",
-                           where);
-  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
 bool isStartOfFrame(std::uint32_t marker) {
@@ -90,7 +83,7 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
       const auto height = bytes.at(offset + 5, 2, true);
       const auto width = bytes.at(offset + 7, 2, true);
       if (!height || !width) return cutOff(where);
-      const Result<ImageSize> found = checked(*width, *height, where);
+      const Result<ImageSize> found = checkedSize(*width, *height, where);
       if (!found) return found.error();
       size = *found;
     }
@@ -107,7 +100,7 @@ Result<ImageSize> pngSize(const Bytes& bytes, const std::string& where) {
   const auto height = bytes.at(20, 4, true);
   if (!first || !width || !height) return cutOff(where);
   if (*first != kHeader) return Error::unusable("The PNG image is damaged; copy it again.", where);
-  const Result<ImageSize> size = checked(*width, *height, where);
+  const Result<ImageSize> size = checkedSize(*width, *height, where);
   if (!size) return size.error();
   std::size_t offset = 8;
   while (true) {
@@ -163,22 +156,33 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
   }
   const auto w = number(bytes, width, 0, big), h = number(bytes, height, 0, big);
   if (!w || !h) return Error::unusable("The TIFF image has no size in it.", where);
-  const Result<ImageSize> size = checked(*w, *h, where);
+  const Result<ImageSize> size = checkedSize(*w, *h, where);
   if (size && !reachesItsEnd(bytes, starts, lengths, big)) return cutOff(where);
   return size;
 }
 
 }  // namespace
 
+Result<ImageSize> checkedSize(std::int64_t width, std::int64_t height, const std::string& where) {
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
+      width * height > kMaxPixels)
+    return Error::unusable("The image claims a size of " + std::to_string(width) + " x " +
+                               std::to_string(height) + " pixels, which cannot be used.",
+                           where);
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
 Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
   const Bytes bytes(text);
   if (text.empty())
     return Error::unusable("The file is empty; copy it from the camera again.", where);
+  if (hasRawEnding(where)) return rawSize(text, where);
+  if (isHeif(text)) return heifSize(text, where);
   if (text.starts_with("\xFF\xD8\xFF")) return jpegSize(bytes, where);
   if (text.starts_with("\x89PNG\r\n\x1A\n")) return pngSize(bytes, where);
   if (text.starts_with(std::string_view("II*\0", 4))) return tiffSize(bytes, false, where);
   if (text.starts_with(std::string_view("MM\0*", 4))) return tiffSize(bytes, true, where);
-  return Error::unusable("This is no JPEG, PNG or TIFF image.", where);
+  return Error::unusable("This is no JPEG, PNG, TIFF, HEIC or RAW image.", where);
 }
 
 Result<ImageSize> readImageSize(const std::filesystem::path& file) {

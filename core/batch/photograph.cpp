@@ -7,24 +7,34 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "base/text.h"
+#include "batch/heif_image.h"
 #include "batch/image_header.h"
+#include "batch/raw_image.h"
 
 namespace ostraka::batch {
 namespace {
 
-Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int flags) {
-  const Result<ImageSize> size = imageSize(bytes, where);
-  if (!size) return size.error();
-  cv::Mat image;
+// Empty where OpenCV cannot decode it.
+cv::Mat decodedByOpenCv(std::string_view bytes, int flags) {
   try {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    image = cv::imdecode(raw, flags | cv::IMREAD_IGNORE_ORIENTATION);
+    return cv::imdecode(raw, flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
-    image.release();
+    return {};
   }
-  if (image.empty() || image.cols != size->width || image.rows != size->height)
+}
+
+Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int flags) {
+  // What a RAW file's own size is comes out only with its values, which takes as long again.
+  if (hasRawEnding(where)) return decodeRaw(bytes, where);
+  const Result<ImageSize> size = imageSize(bytes, where);
+  if (!size) return size.error();
+  const Result<cv::Mat> image =
+      isHeif(bytes) ? decodeHeif(bytes, where) : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
+  if (!image) return image.error();
+  if (image->empty() || image->cols != size->width || image->rows != size->height)
     return Error{ErrorCode::UnusableInput, "The image cannot be decoded; copy it again.", where};
-  return image;
+  return *image;
 }
 
 Result<cv::Mat> readImage(const std::filesystem::path& file, int flags) {
@@ -38,7 +48,7 @@ Result<cv::Mat> readImage(const std::filesystem::path& file, int flags) {
 bool hasPhotographEnding(const std::filesystem::path& file) {
   const std::string ending = lowerCase(file.extension().string());
   return ending == ".jpg" || ending == ".jpeg" || ending == ".png" || ending == ".tif" ||
-         ending == ".tiff";
+         ending == ".tiff" || ending == ".heic" || ending == ".heif";
 }
 
 Result<cv::Mat> readPhotograph(const std::filesystem::path& file) {

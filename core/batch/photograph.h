@@ -8,12 +8,13 @@
 
 namespace ostraka::batch {
 
-/// Is this a photograph by the ending of its name (JPEG, PNG, TIFF, in capitals or not)?
+/// Is this a photograph by the ending of its name (JPEG, PNG, TIFF, HEIC, in capitals or not)? RAW
+/// files are not among them, which cameras write beside their photographs (raw_image.h).
 bool hasPhotographEnding(const std::filesystem::path& file);
 
 /// The photograph as 8-bit BGR, rows x columns as stored: an EXIF orientation is not applied, since
-/// intrinsics belong to the sensor. Errors: UnusableInput when the file is missing, cut off or no
-/// JPEG, PNG or TIFF.
+/// intrinsics belong to the sensor. 16 bits become 8. Errors: UnusableInput when the file is
+/// missing, cut off or no JPEG, PNG, TIFF, HEIC or RAW.
 Result<cv::Mat> readPhotograph(const std::filesystem::path& file);
 
 /// The same from a file's bytes; `where` names them in errors.

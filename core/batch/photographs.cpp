@@ -9,6 +9,7 @@
 #include "batch/exif.h"
 #include "batch/image_header.h"
 #include "batch/photograph.h"
+#include "batch/raw_image.h"
 
 namespace ostraka::batch {
 namespace fs = std::filesystem;
@@ -134,12 +135,6 @@ bool isFolder(const fs::path& folder) {
   return fs::is_directory(folder, ignored);
 }
 
-bool isBatchFolder(const fs::path& folder) {
-  for (const char* side : {"front", "back", "top_images", "bottom_images"})
-    if (isFolder(folder / side)) return true;
-  return false;
-}
-
 FreeSide plainSide(Side side, const fs::path& folder, bool alone) {
   FreeSide plain{side, photographsIn(folder), folder, {}};
   std::vector<fs::path> masks{folder / "masks",
@@ -188,8 +183,15 @@ std::vector<fs::path> photographsIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code failed;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
-    if (hasPhotographEnding(it->path()) && !it->path().filename().string().starts_with("."))
+    if ((hasPhotographEnding(it->path()) || hasRawEnding(it->path())) &&
+        !it->path().filename().string().starts_with("."))
       files.push_back(it->path());
+  std::set<std::string> developed;
+  for (const fs::path& file : files)
+    if (!hasRawEnding(file)) developed.insert(stemOf(file));
+  std::erase_if(files, [&developed](const fs::path& file) {
+    return hasRawEnding(file) && developed.contains(stemOf(file));
+  });
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return inNaturalOrder(a.filename().string(), b.filename().string());
   });
@@ -226,6 +228,28 @@ Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchO
   return shots;
 }
 
+bool isBatchFolder(const fs::path& folder) {
+  for (const char* side : {"front", "back", "top_images", "bottom_images"})
+    if (isFolder(folder / side)) return true;
+  return false;
+}
+
+Result<Batch> freeCameraBatch(const std::vector<FreeSide>& sides, const fs::path& folder,
+                              const std::vector<fs::path>& plates, const ReadBatchOptions& options,
+                              Progress& progress) {
+  Batch batch;
+  batch.way = Way::FreeCamera;
+  batch.folder = folder;
+  for (const FreeSide& side : sides) {
+    Result<std::vector<Shot>> shots = freeCameraShots(side, options, progress);
+    if (!shots) return shots.error();
+    std::move(shots->begin(), shots->end(), std::back_inserter(batch.shots));
+  }
+  if (const Result<void> read = readDescriptions(plates, options, batch); !read)
+    return read.error();
+  return batch;
+}
+
 Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::path>& back,
                               const std::optional<fs::path>& sheet, const ReadBatchOptions& options,
                               Progress& progress) {
@@ -241,22 +265,15 @@ Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::pat
         folder[0]);
   if (const Result<void> two = areTwoFolders(front, back); !two) return two.error();
   const bool common = back && folder[0].parent_path() == folder[1].parent_path();
-  Batch batch;
-  batch.way = Way::FreeCamera;
-  batch.folder = common ? folder[0].parent_path() : folder[0];
-  for (const Side side : {Side::Front, Side::Back}) {
-    if (side == Side::Back && !back) continue;
-    Result<std::vector<Shot>> shots = freeCameraShots(
-        plainSide(side, folder[side == Side::Front ? 0 : 1], !back), with_sheet, progress);
-    if (!shots) return shots.error();
-    std::move(shots->begin(), shots->end(), std::back_inserter(batch.shots));
-  }
+  std::vector<FreeSide> sides{plainSide(Side::Front, folder[0], !back)};
   std::vector<fs::path> plates{folder[0] / "plate.json"};
-  if (back) plates.push_back(folder[1] / "plate.json");
+  if (back) {
+    sides.push_back(plainSide(Side::Back, folder[1], false));
+    plates.push_back(folder[1] / "plate.json");
+  }
   if (common || !back) plates.push_back(folder[0].parent_path() / "plate.json");
-  if (const Result<void> read = readDescriptions(plates, with_sheet, batch); !read)
-    return read.error();
-  return batch;
+  return freeCameraBatch(sides, common ? folder[0].parent_path() : folder[0], plates, with_sheet,
+                         progress);
 }
 
 GivenMasks::GivenMasks(const fs::path& folder) {

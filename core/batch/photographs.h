@@ -14,8 +14,9 @@ namespace ostraka::batch {
 /// capitals as small letters. Equal names in that sense are ordered by their bytes.
 bool inNaturalOrder(std::string_view a, std::string_view b);
 
-/// Files of the folder whose names end like a photograph's, in natural order; not hidden ones, and
-/// not what lies in folders within. Empty where the folder cannot be read.
+/// Files of the folder whose names end like a photograph's, in natural order; not hidden ones, not
+/// RAW files beside a developed picture of the same stem, and not what lies in folders within.
+/// Empty where the folder cannot be read.
 std::vector<std::filesystem::path> photographsIn(const std::filesystem::path& folder);
 
 /// A side photographed by hand (Way::FreeCamera).
@@ -34,6 +35,16 @@ struct FreeSide {
 /// NotEnough.
 Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchOptions& options,
                                           Progress& progress);
+
+/// Sides photographed by hand over one sheet, each at most once. `folder` and `plates` as in
+/// readDescriptions. Errors: UnusableInput, NotEnough.
+Result<Batch> freeCameraBatch(const std::vector<FreeSide>& sides,
+                              const std::filesystem::path& folder,
+                              const std::vector<std::filesystem::path>& plates,
+                              const ReadBatchOptions& options, Progress& progress);
+
+/// Whether the folder is built like a batch, with a folder of a side in it.
+bool isBatchFolder(const std::filesystem::path& folder);
 
 /// What a person names on a command line: one or two folders with photographs under any names, each
 /// a side photographed by hand over one sheet (Way::FreeCamera); or the folder of a batch, which is

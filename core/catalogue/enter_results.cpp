@@ -278,8 +278,10 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
       Photograph p;
       p.shot.batch = batch;
       p.shot.side = shot.side;
-      p.shot.camera = static_cast<char>('A' + shot.camera);
-      p.shot.stop = shot.stop;
+      // Of free cameras it is one camera's, photograph after photograph.
+      const bool rig = folder->way == batch::Way::Rig;
+      p.shot.camera = static_cast<char>(rig ? 'A' + shot.camera : 'A');
+      p.shot.stop = rig ? shot.stop : shot.camera;
       p.shot.path = relativeTo(project, shot.file);
       const batch::Exif exif = batch::exifIn(bytes);
       p.shot.exif_json = exif.json();

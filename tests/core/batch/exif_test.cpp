@@ -156,6 +156,15 @@ TEST(Exif, IsKeptUnderTheStandardsNames) {
   EXPECT_EQ(kept.size(), 11u);
 }
 
+TEST(Exif, TheEquivalentFocalLengthIsRead) {
+  Written telephone(true);
+  telephone.number(1, 0xA405, 26);
+  EXPECT_THAT(exifIn(telephone.jpeg()).focal_length_35mm, Optional(26));
+  Written unknown(true);
+  unknown.number(1, 0xA405, 0);
+  EXPECT_EQ(exifIn(unknown.jpeg()).json(), "{}") << "0 stands for unknown";
+}
+
 TEST(Exif, WhatIsNotThereIsEmpty) {
   Written w(true);
   w.text(1, 0x9003, "0000:00:00 00:00:00");  // a camera whose clock was never set

@@ -35,6 +35,19 @@ TEST(ReadPhotograph, DoesNotTurnAPictureByItsExifOrientation) {
   EXPECT_EQ(image->rows, 20);
 }
 
+// 257 * v is the 16-bit value that means the same as v of 8 bits.
+TEST(ReadPhotograph, TakesSixteenBitsAsEight) {
+  const TemporaryFolder folder("deep");
+  for (const char* name : {"a.tif", "a.png"}) {
+    cv::imwrite((folder.path() / name).string(),
+                cv::Mat(4, 5, CV_16UC3, cv::Scalar(257 * 10, 257 * 20, 257 * 200)));
+    const auto image = readPhotograph(folder.path() / name);
+    ASSERT_TRUE(image.has_value()) << image.error().sentence();
+    EXPECT_EQ(image->type(), CV_8UC3);
+    EXPECT_EQ(image->at<cv::Vec3b>(3, 4), cv::Vec3b(10, 20, 200));
+  }
+}
+
 TEST(ReadPhotograph, RefusesACutOffPicture) {
   const TemporaryFolder folder("cut");
   folder.image("a.jpg", 64, 64);
@@ -58,6 +71,7 @@ TEST(ReadMask, KeepsLabels) {
 TEST(HasPhotographEnding, KnowsTheFormsThatAreReadInCapitalsToo) {
   EXPECT_TRUE(hasPhotographEnding("front/CAM0_POS00.JPG"));
   EXPECT_TRUE(hasPhotographEnding("a.tiff"));
+  EXPECT_TRUE(hasPhotographEnding("IMG_1234.HEIC"));
   EXPECT_FALSE(hasPhotographEnding("a.jpg.part"));
   EXPECT_FALSE(hasPhotographEnding("jpg"));
 }

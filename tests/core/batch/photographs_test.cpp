@@ -220,6 +220,18 @@ TEST(ReadPhotographs, TakesOneOfTwoFormatsOfAPhotograph) {
   EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("Another photograph has the same name")));
 }
 
+TEST(ReadPhotographs, TakesTheDevelopedPictureBesideARawFile) {
+  const TemporaryFolder folder("developed");
+  series(folder, "front", 1, 3);
+  folder.write("front/img_2.CR2", "never opened");
+  folder.write("front/IMG_4.NEF", "RAW alone, and damaged");
+  Listener listener;
+  const auto batch = readPhotographs(folder.path() / "front", {}, {}, {}, listener);
+  ASSERT_TRUE(batch.has_value());
+  EXPECT_THAT(namesOf(*batch), ElementsAre("IMG_1.jpg", "IMG_2.jpg", "IMG_3.jpg"));
+  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("IMG_4.NEF: The RAW image is damaged")));
+}
+
 TEST(ReadPhotographs, LeavesOutThumbnailsWithOneSentence) {
   const TemporaryFolder folder("thumbnails");
   series(folder, "front", 1, 3);

@@ -1,0 +1,79 @@
+#include "batch/raw_image.h"
+
+#include <libraw/libraw.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+
+#include "base/text.h"
+
+namespace ostraka::batch {
+namespace {
+
+Error damagedRaw(const std::string& where) {
+  return Error::unusable(
+      "The RAW image is damaged, or of a camera that is not known; copy it again, or export it as "
+      "TIFF.",
+      where);
+}
+
+// The file with the sensor's values unpacked. The bytes must outlive it.
+Result<std::unique_ptr<LibRaw>> unpacked(std::string_view bytes, const std::string& where) {
+  auto raw = std::make_unique<LibRaw>(LIBRAW_OPIONS_NO_MEMERR_CALLBACK |
+                                      LIBRAW_OPIONS_NO_DATAERR_CALLBACK);
+  libraw_output_params_t& how = *raw->output_params_ptr();
+  how.user_flip = 0;
+  how.use_camera_wb = 1;
+  how.no_auto_bright = 1;
+  how.output_bps = 8;
+  how.output_color = 1;  // sRGB
+  how.gamm[0] = 1 / 2.4;
+  how.gamm[1] = 12.92;
+  how.max_raw_memory_mb = 2048;
+  if (raw->open_buffer(const_cast<char*>(bytes.data()), bytes.size()) != LIBRAW_SUCCESS)
+    return damagedRaw(where);
+  const libraw_image_sizes_t& sizes = raw->imgdata.sizes;
+  if (const auto good = checkedSize(sizes.raw_width, sizes.raw_height, where); !good)
+    return good.error();
+  const int status = raw->unpack();
+  if (status == LIBRAW_IO_ERROR || raw->error_count() > 0)
+    return Error::unusable("The image is cut off before its end; copy it from the camera again.",
+                           where);
+  if (status != LIBRAW_SUCCESS) return damagedRaw(where);
+  return raw;
+}
+
+}  // namespace
+
+bool hasRawEnding(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 11> kEndings{
+      ".dng", ".cr2", ".cr3", ".nef", ".nrw", ".arw", ".orf", ".rw2", ".raf", ".pef", ".srw"};
+  return std::find(kEndings.begin(), kEndings.end(), lowerCase(file.extension().string())) !=
+         kEndings.end();
+}
+
+Result<ImageSize> rawSize(std::string_view bytes, const std::string& where) {
+  const auto raw = unpacked(bytes, where);
+  if (!raw) return raw.error();
+  if ((*raw)->adjust_sizes_info_only() != LIBRAW_SUCCESS) return damagedRaw(where);
+  return checkedSize((*raw)->imgdata.sizes.iwidth, (*raw)->imgdata.sizes.iheight, where);
+}
+
+Result<cv::Mat> decodeRaw(std::string_view bytes, const std::string& where) {
+  const auto raw = unpacked(bytes, where);
+  if (!raw) return raw.error();
+  if ((*raw)->dcraw_process() != LIBRAW_SUCCESS) return damagedRaw(where);
+  const std::unique_ptr<libraw_processed_image_t, decltype(&LibRaw::dcraw_clear_mem)> image(
+      (*raw)->dcraw_make_mem_image(), &LibRaw::dcraw_clear_mem);
+  if (!image || image->type != LIBRAW_IMAGE_BITMAP || image->bits != 8 ||
+      (image->colors != 3 && image->colors != 1))
+    return damagedRaw(where);
+  const cv::Mat rgb(image->height, image->width, CV_8UC(image->colors), image->data);
+  cv::Mat bgr;
+  cv::cvtColor(rgb, bgr, image->colors == 3 ? cv::COLOR_RGB2BGR : cv::COLOR_GRAY2BGR);
+  return bgr;
+}
+
+}  // namespace ostraka::batch

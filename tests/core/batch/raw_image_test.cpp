@@ -1,0 +1,152 @@
+// DNG files put together by hand after Adobe's specification 1.4: a sensor's values, uncompressed.
+#include "batch/raw_image.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+
+#include "batch/exif.h"
+#include "batch/photograph.h"
+#include "batch_folder.h"
+
+namespace ostraka::batch {
+namespace {
+
+using testing::HasSubstr;
+
+enum class Dng { Byte = 1, Ascii = 2, Short = 3, Long = 4, Rational = 5, SignedRational = 10 };
+
+std::string little(std::uint64_t value, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> 8 * i & 0xFF);
+  return text;
+}
+
+struct DngField {
+  int tag;
+  Dng type;
+  std::uint32_t count;
+  std::string value;
+};
+
+// A red, green, green, blue sensor of 16 bits, orientation 6 ("turn by 90 degrees"): the left half
+// saw `left` on all sensels, the right half `right`.
+std::string dng(int width, int height, int left, int right) {
+  const auto shorts = [](std::initializer_list<int> values) {
+    std::string text;
+    for (const int v : values) text += little(static_cast<std::uint64_t>(v), 2);
+    return text;
+  };
+  std::string ones, identity;
+  for (int i = 0; i < 3; ++i) ones += little(1, 4) + little(1, 4);
+  for (int i = 0; i < 9; ++i) identity += little(i % 4 == 0 ? 1 : 0, 4) + little(1, 4);
+  const std::uint32_t pixels = static_cast<std::uint32_t>(width * height);
+  const std::string model = std::string("Made by hand") + '\0';
+  std::vector<DngField> fields{
+      {254, Dng::Long, 1, little(0, 4)},
+      {256, Dng::Long, 1, little(static_cast<std::uint64_t>(width), 4)},
+      {257, Dng::Long, 1, little(static_cast<std::uint64_t>(height), 4)},
+      {258, Dng::Short, 1, shorts({16})},
+      {259, Dng::Short, 1, shorts({1})},
+      {262, Dng::Short, 1, shorts({32803})},  // colour filter array
+      {271, Dng::Ascii, 13, model},
+      {272, Dng::Ascii, 13, model},
+      {273, Dng::Long, 1, {}},  // where the strip is; below
+      {274, Dng::Short, 1, shorts({6})},
+      {277, Dng::Short, 1, shorts({1})},
+      {278, Dng::Long, 1, little(static_cast<std::uint64_t>(height), 4)},
+      {279, Dng::Long, 1, little(2 * pixels, 4)},
+      {284, Dng::Short, 1, shorts({1})},
+      {33421, Dng::Short, 2, shorts({2, 2})},
+      {33422, Dng::Byte, 4, std::string("\0\1\1\2", 4)},
+      {50706, Dng::Byte, 4, std::string("\1\4\0\0", 4)},
+      {50708, Dng::Ascii, 13, model},
+      {50714, Dng::Short, 1, shorts({0})},
+      {50717, Dng::Short, 1, shorts({65535})},
+      {50721, Dng::SignedRational, 9, identity},
+      {50728, Dng::Rational, 3, ones},
+      {50778, Dng::Short, 1, shorts({21})},
+  };
+  const std::size_t behind_at = 8 + 2 + 12 * fields.size() + 4;
+  std::size_t behind_size = 0;
+  for (const DngField& f : fields) behind_size += f.value.size() > 4 ? f.value.size() : 0;
+  std::string head = "II" + little(42, 2) + little(8, 4) + little(fields.size(), 2), behind;
+  for (DngField& f : fields) {
+    if (f.tag == 273) f.value = little(behind_at + behind_size, 4);
+    head += little(static_cast<std::uint64_t>(f.tag), 2) +
+            little(static_cast<std::uint64_t>(f.type), 2) + little(f.count, 4);
+    if (f.value.size() > 4) {
+      head += little(behind_at + behind.size(), 4);
+      behind += f.value;
+    } else {
+      head += f.value + std::string(4 - f.value.size(), '\0');
+    }
+  }
+  std::string all = head + little(0, 4) + behind;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      all += little(static_cast<std::uint64_t>(x < width / 2 ? left : right), 2);
+  return all;
+}
+
+TEST(RawImage, IsDevelopedWithoutTurningOrBrighteningIt) {
+  // Half of the light that the sensor can hold is shown as 188 (sRGB), a tenth as 89.
+  const std::string bytes = dng(160, 120, 32768, 6554);
+  const auto size = imageSize(bytes, "a.DNG");
+  ASSERT_TRUE(size.has_value()) << size.error().sentence();
+  EXPECT_EQ(*size, (ImageSize{160, 120}));
+  const auto image = decodePhotograph(bytes, "a.DNG");
+  ASSERT_TRUE(image.has_value()) << image.error().sentence();
+  ASSERT_EQ(image->size(), cv::Size(160, 120));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(image->at<cv::Vec3b>(60, 40)[c], 188, 2);
+    EXPECT_NEAR(image->at<cv::Vec3b>(60, 120)[c], 89, 2);
+  }
+}
+
+TEST(RawImage, OfAFileIsReadByItsEnding) {
+  const TemporaryFolder folder("raw");
+  folder.write("a.dng", dng(160, 120, 32768, 6554));
+  const auto image = readPhotograph(folder.path() / "a.dng");
+  ASSERT_TRUE(image.has_value()) << image.error().sentence();
+  EXPECT_EQ(image->cols, 160);
+  EXPECT_EQ(readExif(folder.path() / "a.dng").make, "Made by hand");
+  EXPECT_TRUE(hasRawEnding("IMG_1.CR2"));
+  EXPECT_FALSE(hasRawEnding("a.tif"));
+}
+
+TEST(RawImage, IsRecognisedAsCutOff) {
+  const std::string whole = dng(160, 120, 32768, 6554);
+  for (const double share : {0.05, 0.3, 0.6, 0.95}) {
+    const auto length = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
+    const auto size = imageSize(whole.substr(0, length), "a.dng");
+    ASSERT_FALSE(size.has_value()) << share;
+    EXPECT_EQ(size.error().code, ErrorCode::UnusableInput);
+  }
+}
+
+TEST(RawImage, OfAnotherKindIsRefused) {
+  for (const char* bytes : {"", "no image", "II*"}) {
+    const auto image = decodePhotograph(bytes, "a.nef");
+    ASSERT_FALSE(image.has_value());
+    EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
+  }
+}
+
+TEST(RawImage, SurvivesChangedBytes) {
+  const std::string whole = dng(64, 48, 32768, 6554);
+  std::mt19937 random(7);
+  for (int round = 0; round < 400; ++round) {
+    std::string damaged = whole;
+    for (int k = 0; k < 4; ++k)
+      damaged[random() % std::min<std::size_t>(damaged.size(), 420)] = static_cast<char>(random());
+    const auto image = decodePhotograph(damaged, "a.dng");
+    if (!image) {
+      EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ostraka::batch

@@ -124,6 +124,12 @@ void addProcess(CLI::App& root, Command& chosen) {
   command->add_option("--rig", options->rig, "RIG.json of an earlier calibration");
   command->add_option("--sheet", options->sheet,
                       "Printed sheet or plate under the sherds, as a JSON file like plate.json");
+  command
+      ->add_option(
+          "--marker-mm", options->marker_mm,
+          "Without plate.json: side of a marker's black square; the sheet is then found in "
+          "the photographs")
+      ->check(CLI::Range(0.5, 1000.0));
   addThreads(*command, options->threads);
   command->add_option("--dense", options->dense, "Dense reconstruction: builtin, colmap or openmvs")
       ->transform(CLI::CheckedTransformer(

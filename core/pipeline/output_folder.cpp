@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/json_text.h"
 #include "base/parallel.h"
+#include "pipeline/proposed_sheet.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -22,6 +23,15 @@ std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
 }
 
+// Of a plate that no file describes.
+std::string hashOf(const batch::Plate& plate) {
+  ordered_json all{{"dictionary", plate.dictionary}};
+  for (const batch::Marker& marker : plate.markers)
+    for (const Eigen::Vector3d& corner : marker.corners)
+      all["corners"].push_back({marker.id, corner.x(), corner.y(), corner.z()});
+  return sha256(all.dump());
+}
+
 // What is left when results were deleted to be computed anew, and what people decided was kept; or
 // when all was deleted while a run was writing.
 bool holdsOnlyOurs(const fs::path& output) {
@@ -31,7 +41,8 @@ bool holdsOnlyOurs(const fs::path& output) {
   const std::set<std::string> ours =
       worked ? std::set<std::string>{"work",        "sherds",         "unpaired",
                                      "log.txt",     "pairs.json",     "report.html",
-                                     "report.json", "decisions.json", "mask_strokes.json"}
+                                     "report.json", "decisions.json", "mask_strokes.json",
+                                     "plate.json"}
              : std::set<std::string>{"decisions.json"};
   for (fs::directory_iterator at(output, failed), end; !failed && at != end; at.increment(failed))
     if (ours.count(at->path().filename().string()) == 0) return false;
@@ -105,6 +116,7 @@ ordered_json batchHashes(const batch::Batch& batch, int threads) {
   });
   ordered_json named = ordered_json::object();
   for (std::size_t i = 0; i < files.size(); ++i) named[nameOf(files[i], batch)] = hashes[i];
+  if (isProposed(batch)) named["plate.json"] = hashOf(*batch.plate);
   return named;
 }
 

@@ -18,10 +18,12 @@
 #include "pipeline/no_plate.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/preflight.h"
+#include "pipeline/proposed_sheet.h"
 #include "pipeline/report.h"
 #include "pipeline/run_log.h"
 #include "pipeline/scan_folder.h"
 #include "pipeline/stillness.h"
+#include "rig/plate_print.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -426,9 +428,11 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   const auto begin = std::chrono::steady_clock::now();
   WarningsKept reading(progress);
-  const Result<batch::Batch> batch =
+  Result<batch::Batch> batch =
       batch::readPhotographs(options.batch, options.back, options.sheet, {}, reading);
   if (!batch) return batch.error();
+  if (Result<void> sheet = proposeMissingSheet(*batch, options, reading, stop); !sheet)
+    return sheet.error();
   for (const std::string& warning : settingsWarnings(*batch, options.threads))
     reading.note(NoteLevel::Warning, warning);
   const Result<Preflight> ahead = preflight(*batch, options, freeMemoryMb());
@@ -440,6 +444,10 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const Result<FolderLock> held = claimOutput(options.output, *batch, hashes);
   if (!held) return held.error();
   withdrawResults(options.output);
+  if (isProposed(*batch))
+    if (const Result<void> written = rig::writePlate(options.output / "plate.json", *batch->plate);
+        !written)
+      return written.error();
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
   for (const std::string& line : ahead->lines) logged.note(NoteLevel::Info, line);
   for (const std::string& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);

@@ -22,6 +22,8 @@ struct ProcessOptions {
   std::filesystem::path batch;
   std::optional<std::filesystem::path> back;   ///< photographs of the back; batch holds the front's
   std::optional<std::filesystem::path> sheet;  ///< in place of plate.json beside the photographs
+  /// Side of a marker's black square: without any plate.json the sheet is found in the photographs.
+  std::optional<double> marker_mm;
   std::filesystem::path output;              ///< OUT; created, or continued when of the same batch
   std::optional<std::filesystem::path> rig;  ///< RIG.json of an earlier calibration
   DenseMethod dense = DenseMethod::Builtin;

@@ -12,10 +12,13 @@ Result<void> writePlate(const std::filesystem::path& file, const batch::Plate& p
     for (const Eigen::Vector3d& c : m.corners) corners.push_back({c.x(), c.y(), c.z()});
     markers.push_back({{"id", m.id}, {"corners", corners}});
   }
-  return writeJson(file, {{"unit", "mm"},
-                          {"dictionary", plate.dictionary},
-                          {"diameter", plate.diameter_mm},
-                          {"markers", markers}});
+  nlohmann::ordered_json all{{"unit", "mm"}, {"dictionary", plate.dictionary}};
+  if (plate.sheet)  // about the origin, as it is read
+    all["sheet"] = {plate.sheet->sizes().x(), plate.sheet->sizes().y()};
+  else
+    all["diameter"] = plate.diameter_mm;
+  all["markers"] = markers;
+  return writeJson(file, all);
 }
 
 Result<void> writeBoard(const std::filesystem::path& file, const batch::Board& board) {

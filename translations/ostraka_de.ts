@@ -1376,16 +1376,6 @@
       <translation>Aufnahme</translation>
     </message>
     <message>
-      <source>Folder with front/ and back/ scans</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ordner mit Scans in front/ und back/</translation>
-    </message>
-    <message>
-      <source>Folder of a batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ordner einer Ladung</translation>
-    </message>
-    <message>
       <source>The picture is on its way.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild ist unterwegs.</translation>
@@ -5504,6 +5494,86 @@
       <translation>Hier fehlen Fotos: %1; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
     </message>
     <message>
+      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name ist der eines Fotos aus einem Aufbau, die meisten anderen sind es nicht; dieses Foto wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same name; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Foto hat denselben Namen; dieses wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos mit weniger als %1 Megapixeln werden ausgelassen (%2 und %3 weitere); statt der Vorschaubilder die Originale von der Kamera kopieren.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos mit weniger als %1 Megapixeln werden ausgelassen (%2); statt der Vorschaubilder die Originale von der Kamera kopieren.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Fotos werden verwendet: die schärfsten, über die Reihe verteilt. Mehr dauern länger und bringen wenig.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesem Ordner sind keine Fotos; die Fotos einer Seite dorthin legen.</translation>
+    </message>
+    <message>
+      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesem Ordner sind weder Fotos noch die Ordner „front“ und „back“ eines Durchgangs; einen Ordner mit Fotos nennen.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with the photographs of a side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diesen Ordner gibt es nicht; einen mit den Fotos einer Seite nennen.</translation>
+    </message>
+    <message>
+      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner wurde für Vorder- und Rückseite genannt; den Ordner jeder Seite nennen.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorderseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; ringsum mehr aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; ringsum mehr aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The HEIC image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das HEIC-Bild ist beschädigt; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das RAW-Bild ist beschädigt oder von einer unbekannten Kamera; noch einmal kopieren oder als TIFF exportieren.</translation>
+    </message>
+    <message>
+      <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Seite eines Markers muss zwischen 0,5 und 1000 mm liegen; ein schwarzes Quadrat auf dem Papier messen.</translation>
+    </message>
+    <message>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesen %2 Fotos wird kein Bogen mit mindestens %1 Markern aus OpenCVs Wörterbüchern gelesen; Fotos aufnehmen, die mehr davon zeigen, oder seine plate.json nennen.</translation>
+    </message>
+    <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 mit Seiten von %3 mm wurden in den Fotos gefunden (%4 px) und dafür genommen. Den Abstand zweier weit auseinanderliegender Marker messen und mit plate.json im Ergebnisordner vergleichen.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Maske wird nicht verwendet.</translation>
@@ -5574,9 +5644,9 @@
       <translation>Die Datei ist leer; noch einmal von der Kamera kopieren.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG or TIFF image.</source>
+      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist kein Bild in JPEG, PNG oder TIFF.</translation>
+      <translation>Das ist kein Bild in JPEG, PNG, TIFF, HEIC oder RAW.</translation>
     </message>
     <message>
       <source>The known lengths cannot be used: %1.</source>
@@ -9099,6 +9169,118 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Einheit der Spalte %1</translation>
+    </message>
+</context>
+<context>
+    <name>ImportSides</name>
+    <message>
+      <source>Drop either folders or photographs, not both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entweder Ordner oder Fotos ablegen, nicht beides.</translation>
+    </message>
+    <message>
+      <source>These are more than two folders; drop that of the fronts and that of the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das sind mehr als zwei Ordner; den der Vorderseiten und den der Rückseiten ablegen.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; choose one that holds them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesem Ordner sind keine Fotos; einen wählen, der sie enthält.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportChooser</name>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner mit Scans in front/ und back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch, or with photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner eines Durchgangs oder mit Fotos</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos von %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SidesView</name>
+    <message>
+      <source>One side only</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur eine Seite</translation>
+    </message>
+    <message>
+      <source>Swap sides</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seiten tauschen</translation>
+    </message>
+    <message>
+      <source>First photograph of the second side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erstes Foto der zweiten Seite</translation>
+    </message>
+    <message>
+      <source>Choose sheet…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bogen wählen…</translation>
+    </message>
+    <message>
+      <source>Sheet under the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bogen unter den Scherben</translation>
+    </message>
+    <message>
+      <source>Sheet (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bogen (*.json)</translation>
+    </message>
+    <message>
+      <source>Front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite</translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite</translation>
+    </message>
+    <message>
+      <source>The series is divided where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Reihe ist dort geteilt, wo die Scherben umgedreht wurden.</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Pause zwischen den Fotos fällt auf. Den Regler dorthin ziehen, wo die Scherben umgedreht wurden.</translation>
+    </message>
+    <message>
+      <source>Sheet: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bogen: %1</translation>
+    </message>
+    <message>
+      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Bogen: neben den Fotos liegt keine plate.json. Den wählen, der gedruckt wurde.</translation>
+    </message>
+    <message>
+      <source>%1: none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: keine</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n photograph(s), %2 to %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1: %n Foto, %2 bis %3</numerusform>
+        <numerusform>%1: %n Fotos, %2 bis %3</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

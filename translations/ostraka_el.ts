@@ -1376,16 +1376,6 @@
       <translation>Λήψη</translation>
     </message>
     <message>
-      <source>Folder with front/ and back/ scans</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φάκελος με σαρώσεις front/ και back/</translation>
-    </message>
-    <message>
-      <source>Folder of a batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φάκελος μιας παρτίδας</translation>
-    </message>
-    <message>
       <source>The picture is on its way.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα έρχεται.</translation>
@@ -5504,6 +5494,86 @@
       <translation>Λείπουν φωτογραφίες εδώ: %1· ό,τι βλέπουν μόνο αυτές θα συμπληρωθεί, γι’ αυτό τραβήξτε τις ξανά αν έχουν σημασία.</translation>
     </message>
     <message>
+      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα είναι φωτογραφίας από διάταξη, αλλά τα περισσότερα άλλα δεν είναι· αυτή η φωτογραφία παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same name; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια άλλη φωτογραφία έχει το ίδιο όνομα· αυτή παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες κάτω από %1 megapixel παραλείπονται (%2 και %3 ακόμη)· αντιγράψτε τα πρωτότυπα από την κάμερα αντί για μικρογραφίες.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες κάτω από %1 megapixel παραλείπονται (%2)· αντιγράψτε τα πρωτότυπα από την κάμερα αντί για μικρογραφίες.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρησιμοποιούνται %1 από τις %2 φωτογραφίες: οι πιο λεπτομερείς, κατανεμημένες στη σειρά. Περισσότερες αργούν και προσθέτουν λίγα.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε αυτόν τον φάκελο δεν υπάρχουν φωτογραφίες· βάλτε εκεί τις φωτογραφίες μιας όψης.</translation>
+    </message>
+    <message>
+      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε αυτόν τον φάκελο δεν υπάρχουν ούτε φωτογραφίες ούτε οι φάκελοι «front» και «back» μιας παρτίδας· δώστε έναν φάκελο με φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with the photographs of a side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει τέτοιος φάκελος· δώστε έναν με τις φωτογραφίες μιας όψης.</translation>
+    </message>
+    <message>
+      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος δόθηκε για την μπροστινή και την πίσω όψη· δώστε τον φάκελο κάθε όψης.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μπροστινή όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· τραβήξτε κι άλλες από παντού γύρω.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· τραβήξτε κι άλλες από παντού γύρω.</translation>
+    </message>
+    <message>
+      <source>The HEIC image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα HEIC είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα RAW είναι κατεστραμμένη ή από άγνωστη κάμερα· αντιγράψτε την ξανά ή εξαγάγετέ την ως TIFF.</translation>
+    </message>
+    <message>
+      <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πλευρά ενός δείκτη πρέπει να είναι μεταξύ 0,5 και 1000 mm· μετρήστε ένα μαύρο τετράγωνο στο χαρτί.</translation>
+    </message>
+    <message>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε αυτές τις %2 φωτογραφίες δεν διαβάζεται φύλλο με τουλάχιστον %1 δείκτες των λεξικών της OpenCV· τραβήξτε φωτογραφίες που δείχνουν περισσότερο από αυτό ή δώστε το plate.json του.</translation>
+    </message>
+    <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα plate.json δεν περιγράφει το φύλλο: %1 δείκτες του %2 με πλευρές %3 mm βρέθηκαν στις φωτογραφίες (%4 px) και λαμβάνονται ως αυτό. Μετρήστε την απόσταση δύο απομακρυσμένων δεικτών και συγκρίνετέ την με το plate.json στον φάκελο εξόδου.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η μάσκα δεν χρησιμοποιείται.</translation>
@@ -5574,9 +5644,9 @@
       <translation>Το αρχείο είναι άδειο· αντιγράψτε το ξανά από την κάμερα.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG or TIFF image.</source>
+      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι εικόνα JPEG, PNG ή TIFF.</translation>
+      <translation>Δεν είναι εικόνα JPEG, PNG, TIFF, HEIC ή RAW.</translation>
     </message>
     <message>
       <source>The known lengths cannot be used: %1.</source>
@@ -9099,6 +9169,118 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Μονάδα της στήλης %1</translation>
+    </message>
+</context>
+<context>
+    <name>ImportSides</name>
+    <message>
+      <source>Drop either folders or photographs, not both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αφήστε είτε φακέλους είτε φωτογραφίες, όχι και τα δύο.</translation>
+    </message>
+    <message>
+      <source>These are more than two folders; drop that of the fronts and that of the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι περισσότεροι από δύο φάκελοι· αφήστε αυτόν των μπροστινών και αυτόν των πίσω όψεων.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; choose one that holds them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε αυτόν τον φάκελο δεν υπάρχουν φωτογραφίες· επιλέξτε έναν που τις περιέχει.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportChooser</name>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος με σαρώσεις front/ και back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch, or with photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος παρτίδας ή με φωτογραφίες</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες από %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SidesView</name>
+    <message>
+      <source>One side only</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο μία όψη</translation>
+    </message>
+    <message>
+      <source>Swap sides</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εναλλαγή όψεων</translation>
+    </message>
+    <message>
+      <source>First photograph of the second side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρώτη φωτογραφία της δεύτερης όψης</translation>
+    </message>
+    <message>
+      <source>Choose sheet…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή φύλλου…</translation>
+    </message>
+    <message>
+      <source>Sheet under the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φύλλο κάτω από τα όστρακα</translation>
+    </message>
+    <message>
+      <source>Sheet (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φύλλο (*.json)</translation>
+    </message>
+    <message>
+      <source>Front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπροστινή όψη</translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίσω όψη</translation>
+    </message>
+    <message>
+      <source>The series is divided where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σειρά χωρίζεται εκεί όπου γύρισαν τα όστρακα.</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία παύση δεν ξεχωρίζει ανάμεσα στις φωτογραφίες. Μετακινήστε τον δείκτη εκεί όπου γύρισαν τα όστρακα.</translation>
+    </message>
+    <message>
+      <source>Sheet: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φύλλο: %1</translation>
+    </message>
+    <message>
+      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς φύλλο: δεν υπάρχει plate.json δίπλα στις φωτογραφίες. Επιλέξτε αυτό που τυπώθηκε.</translation>
+    </message>
+    <message>
+      <source>%1: none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: καμία</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n photograph(s), %2 to %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1: %n φωτογραφία, %2 έως %3</numerusform>
+        <numerusform>%1: %n φωτογραφίες, %2 έως %3</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

@@ -419,4 +419,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::SidesView</name>
+    <message numerus="yes">
+      <source>%1: %n photograph(s), %2 to %3</source>
+      <translation>
+        <numerusform>%1: %n photograph, %2 to %3</numerusform>
+        <numerusform>%1: %n photographs, %2 to %3</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

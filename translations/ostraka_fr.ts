@@ -1376,16 +1376,6 @@
       <translation>Prise de vue</translation>
     </message>
     <message>
-      <source>Folder with front/ and back/ scans</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dossier avec les numérisations front/ et back/</translation>
-    </message>
-    <message>
-      <source>Folder of a batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dossier d’un lot</translation>
-    </message>
-    <message>
       <source>The picture is on its way.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image arrive.</translation>
@@ -5504,6 +5494,86 @@
       <translation>Il manque des photos ici : %1 ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
     </message>
     <message>
+      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom est celui d’une photo de banc, la plupart des autres non ; cette photo est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same name; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une autre photo porte le même nom ; celle-ci est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos de moins de %1 mégapixels sont laissées de côté (%2 et %3 autres) ; copiez les originaux de l’appareil au lieu des vignettes.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos de moins de %1 mégapixels sont laissées de côté (%2) ; copiez les originaux de l’appareil au lieu des vignettes.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 photos sont utilisées : les plus détaillées, réparties sur la série. Davantage prend plus de temps et apporte peu.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de photos dans ce dossier ; mettez-y les photos d’une face.</translation>
+    </message>
+    <message>
+      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier ne contient ni photos ni les dossiers « front » et « back » d’un lot ; indiquez un dossier avec des photos.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with the photographs of a side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier n’existe pas ; indiquez-en un avec les photos d’une face.</translation>
+    </message>
+    <message>
+      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier a été indiqué pour la face avant et la face arrière ; indiquez le dossier de chaque face.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face avant a %1 photos utilisables, il en faut au moins %2 ; prenez-en d’autres tout autour.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face arrière a %1 photos utilisables, il en faut au moins %2 ; prenez-en d’autres tout autour.</translation>
+    </message>
+    <message>
+      <source>The HEIC image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image HEIC est endommagée ; copiez-la à nouveau.</translation>
+    </message>
+    <message>
+      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image RAW est endommagée, ou d’un appareil inconnu ; copiez-la à nouveau, ou exportez-la en TIFF.</translation>
+    </message>
+    <message>
+      <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le côté d’un marqueur doit être compris entre 0,5 et 1000 mm ; mesurez un carré noir sur le papier.</translation>
+    </message>
+    <message>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune feuille portant au moins %1 marqueurs des dictionnaires d’OpenCV n’est lue dans ces %2 photos ; prenez des photos qui en montrent plus, ou indiquez son plate.json.</translation>
+    </message>
+    <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun plate.json ne décrit la feuille : %1 marqueurs de %2 de %3 mm de côté ont été trouvés dans les photos (%4 px) et servent de feuille. Mesurez la distance de deux marqueurs éloignés et comparez-la avec plate.json dans le dossier de sortie.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce masque n’est pas utilisé.</translation>
@@ -5574,9 +5644,9 @@
       <translation>Le fichier est vide ; copiez-le à nouveau depuis l’appareil.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG or TIFF image.</source>
+      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas une image JPEG, PNG ou TIFF.</translation>
+      <translation>Ce n’est pas une image JPEG, PNG, TIFF, HEIC ou RAW.</translation>
     </message>
     <message>
       <source>The known lengths cannot be used: %1.</source>
@@ -9099,6 +9169,118 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Unité de la colonne %1</translation>
+    </message>
+</context>
+<context>
+    <name>ImportSides</name>
+    <message>
+      <source>Drop either folders or photographs, not both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Déposez soit des dossiers, soit des photos, pas les deux.</translation>
+    </message>
+    <message>
+      <source>These are more than two folders; drop that of the fronts and that of the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce sont plus de deux dossiers ; déposez celui des faces avant et celui des faces arrière.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; choose one that holds them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de photos dans ce dossier ; choisissez-en un qui en contient.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportChooser</name>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier avec les numérisations front/ et back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch, or with photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier d’un lot, ou avec des photos</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photos de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SidesView</name>
+    <message>
+      <source>One side only</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une seule face</translation>
+    </message>
+    <message>
+      <source>Swap sides</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échanger les faces</translation>
+    </message>
+    <message>
+      <source>First photograph of the second side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Première photo de la seconde face</translation>
+    </message>
+    <message>
+      <source>Choose sheet…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir la feuille…</translation>
+    </message>
+    <message>
+      <source>Sheet under the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feuille sous les tessons</translation>
+    </message>
+    <message>
+      <source>Sheet (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feuille (*.json)</translation>
+    </message>
+    <message>
+      <source>Front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Face avant</translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Face arrière</translation>
+    </message>
+    <message>
+      <source>The series is divided where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La série est divisée là où les tessons ont été retournés.</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune pause ne ressort entre les photos. Placez le curseur là où les tessons ont été retournés.</translation>
+    </message>
+    <message>
+      <source>Sheet: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feuille : %1</translation>
+    </message>
+    <message>
+      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas de feuille : aucun plate.json à côté des photos. Choisissez celle qui a été imprimée.</translation>
+    </message>
+    <message>
+      <source>%1: none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : aucune</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n photograph(s), %2 to %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 : %n photo, %2 à %3</numerusform>
+        <numerusform>%1 : %n photos, %2 à %3</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

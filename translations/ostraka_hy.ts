@@ -1376,16 +1376,6 @@
       <translation>Նկարահանում</translation>
     </message>
     <message>
-      <source>Folder with front/ and back/ scans</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>front/ և back/ սկաններով պանակ</translation>
-    </message>
-    <message>
-      <source>Folder of a batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակի պանակ</translation>
-    </message>
-    <message>
       <source>The picture is on its way.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը գալիս է։</translation>
@@ -5504,6 +5494,86 @@
       <translation>Այստեղ լուսանկարներ են պակասում՝ %1. միայն դրանցով երևացողը կլրացվի, ուստի նորից նկարեք, եթե կարևոր են։</translation>
     </message>
     <message>
+      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անունը կայանքի լուսանկարի է, իսկ մյուսների մեծ մասը՝ ոչ. այս լուսանկարը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same name; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ լուսանկար ունի նույն անունը. այս մեկը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 մեգապիքսելից փոքր լուսանկարները բաց են թողնվում (%2 և ևս %3). մանրապատկերների փոխարեն պատճենեք բնօրինակները տեսախցիկից։</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 մեգապիքսելից փոքր լուսանկարները բաց են թողնվում (%2). մանրապատկերների փոխարեն պատճենեք բնօրինակները տեսախցիկից։</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օգտագործվում է %1 լուսանկար %2-ից՝ ամենամանրամասները, շարքով մեկ բաշխված։ Ավելին երկար կտևի և քիչ բան կավելացնի։</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում լուսանկարներ չկան. այնտեղ դրեք մեկ երեսի լուսանկարները։</translation>
+    </message>
+    <message>
+      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում չկան ո՛չ լուսանկարներ, ո՛չ խմբաքանակի «front» և «back» պանակներ. նշեք լուսանկարներով պանակ։</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with the photographs of a side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այդպիսի պանակ չկա. նշեք մեկ երեսի լուսանկարներով պանակ։</translation>
+    </message>
+    <message>
+      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակը նշվել է և՛ առջևի, և՛ հետևի երեսի համար. նշեք յուրաքանչյուր երեսի պանակը։</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. բոլոր կողմերից ավելի շատ լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. բոլոր կողմերից ավելի շատ լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>The HEIC image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>HEIC պատկերը վնասված է. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>RAW պատկերը վնասված է կամ անհայտ տեսախցիկից է. նորից պատճենեք կամ արտահանեք որպես TIFF։</translation>
+    </message>
+    <message>
+      <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչի կողմը պետք է լինի 0,5-ից 1000 մմ. չափեք թղթի վրայի սև քառակուսին։</translation>
+    </message>
+    <message>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս %2 լուսանկարներում չի կարդացվում OpenCV-ի բառարանների առնվազն %1 նշիչով թերթ. արեք լուսանկարներ, որոնք այն ավելի են ցույց տալիս, կամ նշեք դրա plate.json-ը։</translation>
+    </message>
+    <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2-ի %1 նշիչ՝ %3 մմ կողմերով (%4 px), և ընդունվել որպես թերթ։ Չափեք իրարից հեռու երկու նշիչների հեռավորությունը և համեմատեք արդյունքների պանակի plate.json-ի հետ։</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս դիմակը չի օգտագործվում։</translation>
@@ -5574,9 +5644,9 @@
       <translation>Ֆայլը դատարկ է. նորից պատճենեք տեսախցիկից։</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG or TIFF image.</source>
+      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա JPEG, PNG կամ TIFF պատկեր չէ։</translation>
+      <translation>Սա JPEG, PNG, TIFF, HEIC կամ RAW պատկեր չէ։</translation>
     </message>
     <message>
       <source>The known lengths cannot be used: %1.</source>
@@ -9099,6 +9169,118 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 սյունակի միավորը</translation>
+    </message>
+</context>
+<context>
+    <name>ImportSides</name>
+    <message>
+      <source>Drop either folders or photographs, not both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գցեք կա՛մ պանակներ, կա՛մ լուսանկարներ, ոչ երկուսը միասին։</translation>
+    </message>
+    <message>
+      <source>These are more than two folders; drop that of the fronts and that of the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սրանք երկուսից ավելի պանակներ են. գցեք առջևի երեսներինը և հետևի երեսներինը։</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; choose one that holds them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում լուսանկարներ չկան. ընտրեք մեկը, որտեղ դրանք կան։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportChooser</name>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>front/ և back/ սկաններով պանակ</translation>
+    </message>
+    <message>
+      <source>Folder of a batch, or with photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի կամ լուսանկարներով պանակ</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի լուսանկարները</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SidesView</name>
+    <message>
+      <source>One side only</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միայն մեկ երես</translation>
+    </message>
+    <message>
+      <source>Swap sides</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոխել երեսները</translation>
+    </message>
+    <message>
+      <source>First photograph of the second side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկրորդ երեսի առաջին լուսանկարը</translation>
+    </message>
+    <message>
+      <source>Choose sheet…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել թերթ…</translation>
+    </message>
+    <message>
+      <source>Sheet under the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթը բեկորների տակ</translation>
+    </message>
+    <message>
+      <source>Sheet (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթ (*.json)</translation>
+    </message>
+    <message>
+      <source>Front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երես</translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երես</translation>
+    </message>
+    <message>
+      <source>The series is divided where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շարքը բաժանված է այնտեղ, որտեղ բեկորները շրջվել են։</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարների միջև ոչ մի դադար չի առանձնանում։ Տեղափոխեք սահիչն այնտեղ, որտեղ բեկորները շրջվել են։</translation>
+    </message>
+    <message>
+      <source>Sheet: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթ՝ %1</translation>
+    </message>
+    <message>
+      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթ չկա. լուսանկարների կողքին plate.json չկա։ Ընտրեք տպվածը։</translation>
+    </message>
+    <message>
+      <source>%1: none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1՝ չկա</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n photograph(s), %2 to %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1՝ %n լուսանկար, %2-ից %3</numerusform>
+        <numerusform>%1՝ %n լուսանկար, %2-ից %3</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

@@ -1358,16 +1358,6 @@
       <translation>Çekim</translation>
     </message>
     <message>
-      <source>Folder with front/ and back/ scans</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>front/ ve back/ taramaları olan klasör</translation>
-    </message>
-    <message>
-      <source>Folder of a batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir partinin klasörü</translation>
-    </message>
-    <message>
       <source>The picture is on its way.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Görüntü geliyor.</translation>
@@ -5456,6 +5446,86 @@
       <translation>Burada fotoğraf eksik: %1; yalnız onların gördüğü yerler doldurulacak, önemliyse yeniden çekin.</translation>
     </message>
     <message>
+      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu ad bir düzeneğin fotoğraf adı, diğerlerinin çoğu öyle değil; bu fotoğraf atlanıyor.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same name; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir fotoğrafın adı aynı; bu atlanıyor.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 megapikselden küçük fotoğraflar atlanıyor (%2 ve %3 tane daha); küçük resimler yerine kameradaki asıllarını kopyalayın.</translation>
+    </message>
+    <message>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 megapikselden küçük fotoğraflar atlanıyor (%2); küçük resimler yerine kameradaki asıllarını kopyalayın.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 / %2 fotoğraf kullanılıyor: diziye yayılmış en ayrıntılı olanlar. Daha fazlası uzun sürer, az şey katar.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde fotoğraf yok; bir yüzün fotoğraflarını oraya koyun.</translation>
+    </message>
+    <message>
+      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde ne fotoğraf ne de bir partinin &apos;front&apos; ve &apos;back&apos; klasörleri var; fotoğraf içeren bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with the photographs of a side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Böyle bir klasör yok; bir yüzün fotoğraflarını içeren bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasör hem ön hem arka yüz için belirtildi; her yüzün klasörünü belirtin.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; her yönden daha çok çekin.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; her yönden daha çok çekin.</translation>
+    </message>
+    <message>
+      <source>The HEIC image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>HEIC resmi bozuk; yeniden kopyalayın.</translation>
+    </message>
+    <message>
+      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>RAW resmi bozuk ya da bilinmeyen bir kameradan; yeniden kopyalayın ya da TIFF olarak dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir işaretin kenarı 0,5 ile 1000 mm arasında olmalı; kâğıttaki siyah bir kareyi ölçün.</translation>
+    </message>
+    <message>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu %2 fotoğrafta OpenCV sözlüklerinden en az %1 işaretli bir sayfa okunmuyor; onu daha çok gösteren fotoğraflar çekin ya da plate.json dosyasını belirtin.</translation>
+    </message>
+    <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfayı anlatan plate.json yok: fotoğraflarda kenarları %3 mm olan %1 %2 işareti bulundu (%4 px) ve sayfa sayıldı. Birbirinden uzak iki işaretin aralığını ölçüp çıktı klasöründeki plate.json ile karşılaştırın.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu maske kullanılmıyor.</translation>
@@ -5526,9 +5596,9 @@
       <translation>Dosya boş; kameradan yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG or TIFF image.</source>
+      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir JPEG, PNG ya da TIFF resmi değil.</translation>
+      <translation>Bu bir JPEG, PNG, TIFF, HEIC ya da RAW resmi değil.</translation>
     </message>
     <message>
       <source>The known lengths cannot be used: %1.</source>
@@ -9050,6 +9120,117 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 sütununun birimi</translation>
+    </message>
+</context>
+<context>
+    <name>ImportSides</name>
+    <message>
+      <source>Drop either folders or photographs, not both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya klasör ya da fotoğraf bırakın, ikisini birden değil.</translation>
+    </message>
+    <message>
+      <source>These are more than two folders; drop that of the fronts and that of the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkiden çok klasör; ön yüzlerinkini ve arka yüzlerinkini bırakın.</translation>
+    </message>
+    <message>
+      <source>There are no photographs in this folder; choose one that holds them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde fotoğraf yok; içinde fotoğraf olan birini seçin.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportChooser</name>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>front/ ve back/ taramaları olan klasör</translation>
+    </message>
+    <message>
+      <source>Folder of a batch, or with photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir partinin ya da fotoğrafların klasörü</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 fotoğrafları</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SidesView</name>
+    <message>
+      <source>One side only</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnız bir yüz</translation>
+    </message>
+    <message>
+      <source>Swap sides</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yüzleri değiştir</translation>
+    </message>
+    <message>
+      <source>First photograph of the second side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkinci yüzün ilk fotoğrafı</translation>
+    </message>
+    <message>
+      <source>Choose sheet…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfa seç…</translation>
+    </message>
+    <message>
+      <source>Sheet under the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaların altındaki sayfa</translation>
+    </message>
+    <message>
+      <source>Sheet (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfa (*.json)</translation>
+    </message>
+    <message>
+      <source>Front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüz</translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz</translation>
+    </message>
+    <message>
+      <source>The series is divided where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dizi, parçaların çevrildiği yerde bölündü.</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflar arasında belirgin bir ara yok. Kaydırıcıyı parçaların çevrildiği yere getirin.</translation>
+    </message>
+    <message>
+      <source>Sheet: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfa: %1</translation>
+    </message>
+    <message>
+      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfa yok: fotoğrafların yanında plate.json yok. Basılmış olanı seçin.</translation>
+    </message>
+    <message>
+      <source>%1: none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: yok</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n photograph(s), %2 to %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1: %n fotoğraf, %2 – %3</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

@@ -17,9 +17,10 @@ void BatchImporter::setSession(ProjectSession* session) {
   session_ = session;
 }
 
-void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceText& place) {
+void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceText& place,
+                          const std::optional<ImportSides>& sides) {
   if (session_ == nullptr || isBusy()) return;
-  copy({folder.toStdString(), session_->folder(), kind}, place);
+  copy({folder.toStdString(), session_->folder(), kind, false, sides}, place);
 }
 
 void BatchImporter::startAllTheSame() {

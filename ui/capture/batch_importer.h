@@ -21,8 +21,10 @@ class BatchImporter final : public QObject {
   bool isBusy() const { return job_ != nullptr; }
 
  public slots:
+  /// sides: of photographs by hand, which then are imported in place of a batch folder.
   void start(const QString& folder, ostraka::ui::ImportKind kind,
-             const ostraka::ui::PlaceText& place);
+             const ostraka::ui::PlaceText& place,
+             const std::optional<ostraka::ui::ImportSides>& sides = {});
   void startAllTheSame();  ///< what alreadyThere told of
   void cancel();
 

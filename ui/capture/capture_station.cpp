@@ -1,7 +1,6 @@
 #include "ui/capture/capture_station.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
@@ -15,6 +14,7 @@
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
 #include "ui/capture/import_ask.h"
+#include "ui/capture/import_chooser.h"
 #include "ui/capture/import_line.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
@@ -22,6 +22,7 @@
 #include "ui/capture/rig_page.h"
 #include "ui/capture/rig_renewal.h"
 #include "ui/capture/sherd_numbers.h"
+#include "ui/capture/sides_view.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
@@ -63,19 +64,7 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
     setFocus();
   });
   buildTwice();
-  import_ask_ = new ImportAsk(this);
-  connect(import_ask_, &ImportAsk::confirmed, importer_, &BatchImporter::start);
-  connect(import_ask_, &ImportAsk::confirmed, this, qOverload<>(&QWidget::setFocus));
-  connect(import_ask_, &ImportAsk::left, this, qOverload<>(&QWidget::setFocus));
-  const auto showPlace = [this](bool shown) {  // one field for a bag at a time
-    place_->setVisible(shown);
-    place_->follow();
-  };
-  connect(import_ask_, &ImportAsk::asked, this, [showPlace] { showPlace(false); });
-  connect(import_ask_, &ImportAsk::confirmed, this, [showPlace] { showPlace(true); });
-  connect(import_ask_, &ImportAsk::left, this, [showPlace] { showPlace(true); });
-  all->addWidget(import_ask_);
-  all->addWidget(new ImportLine(importer_, this));
+  buildImport(all);
   all->addWidget(twice_);
   all->addWidget(failure_);
 
@@ -101,6 +90,28 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
         tr("The rig is calibrated by %1; the calibration before is kept as %2.").arg(batch, kept));
   });
   follow();
+}
+
+void CaptureStation::buildImport(QVBoxLayout* all) {
+  import_ask_ = new ImportAsk(this);
+  chooser_ = new ImportChooser(this, import_ask_);
+  connect(chooser_, &ImportChooser::failed, this, &CaptureStation::showFailure);
+  connect(import_photographs_, &QAction::triggered, this,
+          [this] { chooser_->choose(ImportKind::Photographs); });
+  connect(import_scans_, &QAction::triggered, this,
+          [this] { chooser_->choose(ImportKind::Scans); });
+  connect(import_ask_, &ImportAsk::confirmed, importer_, &BatchImporter::start);
+  connect(import_ask_, &ImportAsk::confirmed, this, qOverload<>(&QWidget::setFocus));
+  connect(import_ask_, &ImportAsk::left, this, qOverload<>(&QWidget::setFocus));
+  const auto showPlace = [this](bool shown) {  // one field for a bag at a time
+    place_->setVisible(shown);
+    place_->follow();
+  };
+  connect(import_ask_, &ImportAsk::asked, this, [showPlace] { showPlace(false); });
+  connect(import_ask_, &ImportAsk::confirmed, this, [showPlace] { showPlace(true); });
+  connect(import_ask_, &ImportAsk::left, this, [showPlace] { showPlace(true); });
+  all->addWidget(import_ask_);
+  all->addWidget(new ImportLine(importer_, this));
 }
 
 QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, const QString& text,
@@ -149,9 +160,6 @@ void CaptureStation::buildActions() {
   connect(again_, &QAction::triggered, this, [this] {
     if (namesABag()) wizard_->again();
   });
-  connect(import_photographs_, &QAction::triggered, this,
-          [this] { chooseImport(ImportKind::Photographs); });
-  connect(import_scans_, &QAction::triggered, this, [this] { chooseImport(ImportKind::Scans); });
   connect(change_rig_, &QAction::triggered, wizard_, &CaptureWizard::clearRig);
   connect(set_aside_, &QAction::triggered, wizard_, &CaptureWizard::setAside);
 }
@@ -277,6 +285,8 @@ void CaptureStation::openProject(ProjectSession& session) {
   thumbnails_ = new Thumbnails(session.jobs(), this);
   board_->setThumbnails(thumbnails_);
   importer_->setSession(&session);
+  chooser_->setSession(&session);
+  import_ask_->sides()->setThumbnails(thumbnails_);
   wizard_->setSession(&session);
   const catalogue::Catalogue& rows = session.project().catalogue();
   for (PlaceEdit* edit : {place_, import_ask_->place()}) {
@@ -300,6 +310,8 @@ void CaptureStation::closeProject() {
   wizard_->setLive(false);
   wizard_->setSession(nullptr);
   importer_->setSession(nullptr);
+  chooser_->setSession(nullptr);
+  import_ask_->sides()->setThumbnails(nullptr);
   renewal_->forget();
   board_->setThumbnails(nullptr);
   if (!import_ask_->isHidden()) import_ask_->leave();
@@ -344,18 +356,6 @@ void CaptureStation::showImported(const QString& number, int files, const QStrin
       tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number);
   if (!doubts.isEmpty()) failure_->showWords(words, doubts.join(QLatin1Char('\n')), tr("OK"));
   emit said(words);
-}
-
-void CaptureStation::chooseImport(ImportKind kind) {
-  auto* dialog =
-      new QFileDialog(this, kind == ImportKind::Scans ? tr("Folder with front/ and back/ scans")
-                                                      : tr("Folder of a batch"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, kind](const QString& folder) { import_ask_->ask(folder, kind); });
-  dialog->open();
 }
 
 void CaptureStation::placeTyped() {

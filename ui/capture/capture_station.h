@@ -8,6 +8,7 @@
 class QAction;
 class QLabel;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace ostraka::ui {
 
@@ -19,6 +20,7 @@ class MessagePanel;
 class PlaceEdit;
 class NumberEdit;
 class ImportAsk;
+class ImportChooser;
 class PlateView;
 class RigPage;
 class RigRenewal;
@@ -49,7 +51,6 @@ class CaptureStation final : public Station {
 
  public slots:
   void chooseRig(const ostraka::ui::RigChoice& choice);
-  void chooseImport(ostraka::ui::ImportKind kind);
   /// "calibrate:B0031": by this batch's photographs, because a camera was bumped.
   void showItem(const QString& what) override;
 
@@ -76,6 +77,7 @@ class CaptureStation final : public Station {
   void followBag();
   void placeTyped();
   void followRig(const std::optional<Error>& why_not);
+  void buildImport(QVBoxLayout* all);
   void showFailure(const Error& error);
   void showImported(const QString& number, int files, const QStringList& doubts);
   RigChoice rigChoice() const;
@@ -103,6 +105,7 @@ class CaptureStation final : public Station {
   MessagePanel* other_numbers_;  ///< than this bag's
   MessagePanel* twice_ = nullptr;
   ImportAsk* import_ask_;
+  ImportChooser* chooser_;
   MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard
   QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
       *change_rig_, *set_aside_;

@@ -7,12 +7,16 @@
 #include <QVBoxLayout>
 
 #include "ui/capture/place_edit.h"
+#include "ui/capture/sides_view.h"
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {
 
 ImportAsk::ImportAsk(QWidget* parent)
-    : QWidget(parent), words_(new QLabel(this)), place_(new PlaceEdit(this)) {
+    : QWidget(parent),
+      words_(new QLabel(this)),
+      sides_(new SidesView(this)),
+      place_(new PlaceEdit(this)) {
   setObjectName(QStringLiteral("importAsk"));
   words_->setWordWrap(true);
   import_ = new QPushButton(tr("Import"), this);
@@ -28,30 +32,49 @@ ImportAsk::ImportAsk(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(words_);
+  column->addWidget(sides_);
   column->addLayout(row);
   column->addWidget(place_->note());
   connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
-  connect(place_, &PlaceEdit::edited, this, [this] { import_->setEnabled(place_->isUsable()); });
+  connect(place_, &PlaceEdit::edited, this, [this] { import_->setEnabled(isReady()); });
+  connect(sides_, &SidesView::changed, this, [this] { import_->setEnabled(isReady()); });
   hide();
 }
 
 void ImportAsk::ask(const QString& folder, ImportKind kind) {
+  sides_->hide();
+  open(folder, kind);
+}
+
+void ImportAsk::askSides(const SidesPlan& plan) {
+  sides_->show();
+  sides_->setPlan(plan);
+  open(plan.from, ImportKind::Photographs);
+}
+
+bool ImportAsk::isReady() const {
+  return place_->isUsable() && (sides_->isHidden() || sides_->plan().isDecided());
+}
+
+void ImportAsk::open(const QString& folder, ImportKind kind) {
   folder_ = folder;
   kind_ = kind;
   words_->setText(tr("Which bag do the sherds of %1 come from?").arg(folder));
   place_->setText({});  // the bag on the turntable is another, mostly
-  import_->setEnabled(place_->isUsable());
+  import_->setEnabled(isReady());
   show();
   emit asked();
   place_->choose();
 }
 
 void ImportAsk::confirm() {
-  if (!isVisible() || !place_->isUsable()) return;
+  if (!isVisible() || !isReady()) return;
   hide();
-  emit confirmed(folder_, kind_, place_->place());
+  std::optional<ImportSides> sides;
+  if (!sides_->isHidden()) sides = sides_->plan().sides();
+  emit confirmed(folder_, kind_, place_->place(), sides);
 }
 
 void ImportAsk::leave() {

@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "batch/batch.h"
 #include "batch/exif.h"
+#include "batch/photographs.h"
 #include "pipeline/no_plate.h"
 
 namespace ostraka::ui {
@@ -19,18 +20,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A file and its place in the batch.
+struct Taken {
+  fs::path file, as;
+};
+
 bool isScan(const fs::path& file) {
   return file.extension() == ".ply" || file.extension() == ".PLY";
 }
 
-Result<std::vector<fs::path>> scansIn(const fs::path& folder) {
-  std::vector<fs::path> files;
+Result<std::vector<Taken>> scansIn(const fs::path& folder) {
+  std::vector<Taken> files;
   for (const char* side : {"front", "back"}) {
     const std::size_t before = files.size();
     std::error_code error;
     for (fs::directory_iterator at(folder / side, error), end; !error && at != end;
          at.increment(error))
-      if (isScan(at->path())) files.push_back(at->path());
+      if (isScan(at->path())) files.push_back({at->path(), side / at->path().filename()});
     if (files.size() == before)
       return Error{ErrorCode::UnusableInput,
                    QCoreApplication::translate("ImportBatch",
@@ -43,12 +49,12 @@ Result<std::vector<fs::path>> scansIn(const fs::path& folder) {
   return files;
 }
 
-Result<std::vector<fs::path>> photographsIn(const fs::path& folder, Progress& progress) {
+Result<std::vector<Taken>> batchIn(const fs::path& folder, Progress& progress) {
   const Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
   if (!batch) return batch.error();
   // Better now than at the end of an hour in the queue.
   if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
-  std::vector<fs::path> files;
+  std::vector<Taken> files;
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
        at.increment(error)) {
@@ -56,7 +62,7 @@ Result<std::vector<fs::path>> photographsIn(const fs::path& folder, Progress& pr
       at.disable_recursion_pending();
       continue;
     }
-    if (at->is_regular_file()) files.push_back(at->path());
+    if (at->is_regular_file()) files.push_back({at->path(), fs::relative(at->path(), folder)});
   }
   if (error)
     return Error{
@@ -65,6 +71,25 @@ Result<std::vector<fs::path>> photographsIn(const fs::path& folder, Progress& pr
             .arg(QString::fromStdString(error.message()))
             .toStdString(),
         folder.string()};
+  return files;
+}
+
+// Those photographs that are used, and what describes the sheet.
+Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress) {
+  batch::ReadBatchOptions options;
+  options.sheet = sides.sheet;
+  std::vector<batch::FreeSide> free;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const std::vector<fs::path>& files = side == batch::Side::Front ? sides.front : sides.back;
+    if (!files.empty()) free.push_back({side, files, files.front().parent_path(), {}});
+  }
+  const Result<batch::Batch> batch = batch::freeCameraBatch(free, {}, {}, options, progress);
+  if (!batch) return batch.error();
+  if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
+  std::vector<Taken> files;
+  for (const batch::Shot& shot : batch->shots)
+    files.push_back({shot.file, batch::name(shot.side) / shot.file.filename()});
+  if (!batch->plate_file.empty()) files.push_back({batch->plate_file, "plate.json"});
   return files;
 }
 
@@ -87,10 +112,22 @@ std::string hashOf(const fs::path& file) {
   return bytes ? sha256(*bytes) : std::string();
 }
 
+BySize takenFor(const ImportOptions& options) {
+  if (!options.sides) return takenIn(options.from);
+  BySize files;
+  for (const std::vector<fs::path>* side : {&options.sides->front, &options.sides->back})
+    for (const fs::path& file : *side) {
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(file, error);
+      if (!error) files.emplace(size, file);
+    }
+  return files;
+}
+
 // Names may be others by now, and some files missing: most of them are enough. Only files of one
 // size are read.
 Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
-  const BySize fresh = takenIn(options.from);
+  const BySize fresh = takenFor(options);
   std::map<fs::path, std::string> hashes;
   std::error_code error;
   for (fs::directory_iterator at(options.project / "batches", error), end; !error && at != end;
@@ -123,11 +160,12 @@ Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_
 }  // namespace
 
 Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std::stop_token stop) {
-  Result<std::vector<fs::path>> files = options.kind == ImportKind::Scans
-                                            ? scansIn(options.from)
-                                            : photographsIn(options.from, progress);
+  Result<std::vector<Taken>> files = options.kind == ImportKind::Scans ? scansIn(options.from)
+                                     : options.sides ? sidesOf(*options.sides, progress)
+                                                     : batchIn(options.from, progress);
   if (!files) return files.error();
-  std::sort(files->begin(), files->end());
+  std::sort(files->begin(), files->end(),
+            [](const Taken& a, const Taken& b) { return a.as < b.as; });
   Imported imported;
   if (!options.twice) {
     Result<Imported> same = batchWithTheSame(options, stop);
@@ -136,7 +174,7 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
   imported.folder = options.project / "batches" / "import.partial";
   std::error_code ignored;
   fs::remove_all(imported.folder, ignored);  // of an import that was killed
-  for (const fs::path& file : *files) {
+  for (const auto& [file, as] : *files) {
     if (stop.stop_requested()) {
       fs::remove_all(imported.folder, ignored);
       return Error::cancelled();
@@ -144,8 +182,7 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
     progress.report(imported.files, static_cast<std::int64_t>(files->size()));
     const Result<std::string> bytes = readFile(file);
     Result<void> written =
-        bytes ? writeFileAtomically(imported.folder / fs::relative(file, options.from), *bytes)
-              : Result<void>(bytes.error());
+        bytes ? writeFileAtomically(imported.folder / as, *bytes) : Result<void>(bytes.error());
     if (!written) {
       fs::remove_all(imported.folder, ignored);
       return written.error();

@@ -7,16 +7,19 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "ui/capture/import_sides.h"
 
 namespace ostraka::ui {
 
 enum class ImportKind { Photographs, Scans };
 
 struct ImportOptions {
-  std::filesystem::path from;  ///< a batch folder, or one with front/*.ply and back/*.ply
+  /// A batch folder, one with front/*.ply and back/*.ply, or where the sides' photographs are.
+  std::filesystem::path from;
   std::filesystem::path project;
   ImportKind kind = ImportKind::Photographs;
-  bool twice = false;  ///< also when the project has the same files already
+  bool twice = false;                ///< also when the project has the same files already
+  std::optional<ImportSides> sides;  ///< photographs by hand: these become front/ and back/
 };
 
 struct Imported {

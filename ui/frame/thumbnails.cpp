@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QImageReader>
 
+#include "batch/photograph.h"
+#include "batch/raw_image.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {
@@ -11,15 +13,41 @@ namespace {
 
 constexpr int kKept_kib = 64 * 1024;
 
+// Of the formats that Qt does not read, or of which it reads the preview.
+bool isCameras(const QString& file) {
+  return batch::hasRawEnding(file.toStdString()) ||
+         file.endsWith(QLatin1String(".heic"), Qt::CaseInsensitive) ||
+         file.endsWith(QLatin1String(".heif"), Qt::CaseInsensitive);
+}
+
 }  // namespace
 
+QImage readWhole(const QString& file) {
+  if (!isCameras(file)) {
+    QImageReader reader(file);
+    reader.setAutoTransform(false);
+    reader.setAllocationLimit(0);  // a photograph of 60 megapixels is usual here
+    return reader.read();
+  }
+  const Result<cv::Mat> picture = batch::readPhotograph(file.toStdString());
+  if (!picture) return {};
+  return QImage(picture->data, picture->cols, picture->rows, static_cast<qsizetype>(picture->step),
+                QImage::Format_BGR888)
+      .copy();
+}
+
 QImage readScaled(const QString& file, const QSize& size) {
-  QImageReader reader(file);
-  reader.setAutoTransform(false);  // outlines and poses are of the pixels as they stand in the file
-  const QSize whole = reader.size();
-  if (whole.isValid() && (whole.width() > size.width() || whole.height() > size.height()))
-    reader.setScaledSize(whole.scaled(size, Qt::KeepAspectRatio));
-  QImage image = reader.read();
+  QImage image;
+  if (isCameras(file)) {
+    image = readWhole(file);
+  } else {
+    QImageReader reader(file);
+    reader.setAutoTransform(false);
+    const QSize whole = reader.size();
+    if (whole.isValid() && (whole.width() > size.width() || whole.height() > size.height()))
+      reader.setScaledSize(whole.scaled(size, Qt::KeepAspectRatio));
+    image = reader.read();
+  }
   if (!image.isNull() && (image.width() > size.width() || image.height() > size.height()))
     image = image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   return image;

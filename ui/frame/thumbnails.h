@@ -30,6 +30,11 @@ class Thumbnails final : public QObject {
   QSet<QString> on_the_way_, unreadable_;
 };
 
+/// The picture of a file as stored: an EXIF orientation is not applied, since outlines, masks and
+/// poses are of the pixels as they stand in the file. HEIC and RAW too; null where it cannot be
+/// read; for jobs.
+QImage readWhole(const QString& file);
+
 /// The picture of a file scaled down into `size`, read as cheaply as its format allows; for jobs.
 QImage readScaled(const QString& file, const QSize& size);
 

@@ -6,7 +6,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QImageReader>
 #include <QLabel>
 #include <QLocale>
 #include <QPdfWriter>
@@ -23,6 +22,7 @@
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/thumbnails.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 #include "ui/words/sentence.h"
@@ -31,13 +31,6 @@ namespace ostraka::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-// As stored: an EXIF orientation is not applied, since the marks belong to the sensor's pixels.
-QImage photographAt(const fs::path& file) {
-  QImageReader reader(QString::fromStdString(file.string()));
-  reader.setAutoTransform(false);
-  return reader.read();
-}
 
 Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) {
   // Its scans may be new already, and neither its pairs nor the catalogue.
@@ -51,8 +44,8 @@ Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) 
   if (!map) return map.error();
   MapPicture picture{std::move(*map), {}, {}};
   if (stop.stop_requested()) return Error::cancelled();
-  picture.front = photographAt(picture.map.front.photograph);
-  picture.back = photographAt(picture.map.back.photograph);
+  picture.front = readWhole(QString::fromStdString(picture.map.front.photograph.string()));
+  picture.back = readWhole(QString::fromStdString(picture.map.back.photograph.string()));
   return picture;
 }
 

@@ -1,6 +1,5 @@
 #include "ui/masks/mask_model.h"
 
-#include <QImageReader>
 #include <QPainter>
 #include <QUndoCommand>
 #include <QUndoStack>
@@ -11,6 +10,7 @@
 #include "base/text.h"
 #include "catalogue/review_decisions.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/thumbnails.h"
 #include "ui/jobs/job.h"
 #include "ui/words/sentence.h"
 
@@ -50,14 +50,6 @@ QImage veilOf(const QImage& mask) {
                  static_cast<int>(grey.bytesPerLine()), QImage::Format_Indexed8);
   indexed.setColorTable(colours);
   return indexed.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-}
-
-// As stored: an EXIF orientation is not applied, since masks belong to the sensor's pixels.
-QImage pictureAt(const std::filesystem::path& file) {
-  QImageReader reader(QString::fromStdString(file.string()));
-  reader.setAutoTransform(false);
-  reader.setAllocationLimit(0);  // a photograph of 60 megapixels is usual here
-  return reader.read();
 }
 
 }  // namespace
@@ -165,10 +157,12 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
 
 QString MaskModel::title(int index) const {
   const pipeline::MaskedPhotograph& p = photographs_.at(static_cast<std::size_t>(index));
-  return tr("%1, camera %2, stop %3")
-      .arg(p.side == batch::Side::Front ? tr("front") : tr("back"))
-      .arg(QChar('A' + p.camera))
-      .arg(p.stop + 1);
+  const QString side = p.side == batch::Side::Front ? tr("front") : tr("back");
+  const QString file = QString::fromStdString(p.photograph.filename().string());
+  if (!file.startsWith(QLatin1String("cam"),
+                       Qt::CaseInsensitive))  // by hand: as the camera named it
+    return QStringLiteral("%1, %2").arg(side, file);
+  return tr("%1, camera %2, stop %3").arg(side).arg(QChar('A' + p.camera)).arg(p.stop + 1);
 }
 
 // Not those on a photograph that was taken again since: sherds may lie elsewhere now.
@@ -189,7 +183,8 @@ int MaskModel::mended() const {
 }
 
 Result<MaskModel::Shown> MaskModel::read(const pipeline::MaskedPhotograph& photograph) {
-  Shown shown{pictureAt(photograph.photograph), pictureAt(photograph.mask),
+  Shown shown{readWhole(QString::fromStdString(photograph.photograph.string())),
+              readWhole(QString::fromStdString(photograph.mask.string())),
               pipeline::photographHash(photograph.photograph)};
   for (const auto& [image, file] : {std::pair(&shown.photograph, &photograph.photograph),
                                     std::pair(&shown.veil, &photograph.mask)})

@@ -50,6 +50,41 @@ Sentences sentencesOfBase() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Photographs are missing here: %1; what only they see will be filled in, "
                         "so take them again if they matter."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The name is that of a rig's photograph, but most others are not; this "
+                        "photograph is left out."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Another photograph has the same name; this one is left out."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Photographs of less than %1 megapixels are left out (%2 and %3 more); "
+                        "copy the originals from the camera in place of thumbnails."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Photographs of less than %1 megapixels are left out (%2); copy the "
+                        "originals from the camera in place of thumbnails."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "%1 of the %2 photographs are used: the most detailed ones, spread over "
+                        "the series. More take longer and add little."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "There are no photographs in this folder; put the photographs of one side there."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "There are neither photographs in this folder nor the folders 'front' and "
+                        "'back' of a batch; name a folder with photographs."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "There is no such folder; name one with the photographs of a side."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "This folder was named for the front and for the back; name the folder of each side."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The front side has %1 usable photographs, at least %2 are needed; take "
+                        "more from all around."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The back side has %1 usable photographs, at least %2 are needed; take "
+                        "more from all around."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The HEIC image is damaged; copy it again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The RAW image is damaged, or of a camera that is not known; copy it "
+                        "again, or export it as TIFF."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This mask is not used."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The mask's size is not its photograph's; it is not used."),
@@ -76,7 +111,7 @@ Sentences sentencesOfBase() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The PNG image is damaged; copy it again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The TIFF image has no size in it."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The file is empty; copy it from the camera again."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "This is no JPEG, PNG or TIFF image."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This is no JPEG, PNG, TIFF, HEIC or RAW image."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The known lengths cannot be used: %1."),
       QT_TRANSLATE_NOOP("ostraka::Error", "'side' must be 'front' or 'back'"),
       QT_TRANSLATE_NOOP("ostraka::Error", "'ends' must be two lists of marks"),

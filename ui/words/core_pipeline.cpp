@@ -8,6 +8,11 @@ Sentences sentencesOfPipeline() {
   static constexpr const char* kAll[] = {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
+          "No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in "
+          "the photographs (%4 px) and are taken for it. Measure the distance of two markers that "
+          "lie far apart and compare it with plate.json in the output folder."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
           "The results of this batch are not there any more; compute it again, then decide."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

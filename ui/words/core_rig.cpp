@@ -6,6 +6,13 @@ namespace ostraka::ui {
 
 Sentences sentencesOfRig() {
   static constexpr const char* kAll[] = {
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The side of a marker must be between 0.5 and 1000 mm; measure a black "
+                        "square on the paper."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "No sheet with at least %1 markers of OpenCV's dictionaries is read in these %2 "
+          "photographs; take photographs that show more of it, or name its plate.json."),
       QT_TRANSLATE_NOOP("ostraka::Error", "No camera explains the calibration pictures."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "No photograph of this camera shows the plate's markers."),

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "base/files.h"
+#include "batch/batch.h"
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/frame/project_session.h"
@@ -192,6 +193,133 @@ class ImportTest : public QObject {
     QVERIFY(session_->project().catalogue().batches()->empty());
   }
 
+  // A photograph whose clock says 09:30 and so many seconds; large enough not to be a thumbnail.
+  void byHand(const char* file, int second) {
+    QByteArray jpeg;
+    QBuffer buffer(&jpeg);
+    QImage image(800, 600, QImage::Format_RGB32);
+    image.fill(QColor::fromHsv(6 * second, 255, 200));
+    image.save(&buffer, "JPG");
+    const std::string exif = photographOf(qPrintable(QString("%1").arg(second, 2, 10, QChar('0'))));
+    QVERIFY(writeFileAtomically(path(file), jpeg.toStdString().insert(2, exif.substr(2, 74)))
+                .has_value());
+  }
+
+  void sheetAt(const char* folder) {
+    QVERIFY(virtualrig::writePlateAndBoard(path(folder)).has_value());
+  }
+
+  static QStringList names(const std::vector<std::filesystem::path>& files) {
+    QStringList all;
+    for (const auto& file : files) all << QString::fromStdString(file.filename().string());
+    return all;
+  }
+
+  void oneFolderIsDividedAtTheFlip() {
+    for (int i = 0; i < 4; ++i) byHand(qPrintable(QString("trench/IMG_%1.jpg").arg(8 + i)), 2 * i);
+    for (int i = 0; i < 3; ++i)
+      byHand(qPrintable(QString("trench/IMG_%1.jpg").arg(12 + i)), 40 + 2 * i);
+    sheetAt("trench");
+    const auto plan = planSides({QString::fromStdString(path("trench/").string())}, {});
+    QVERIFY(plan.has_value() && plan->has_value());
+    QVERIFY((*plan)->divisible && (*plan)->flip_found && (*plan)->isDecided());
+    const ImportSides sides = (*plan)->sides();
+    QCOMPARE(names(sides.front),
+             (QStringList{"IMG_8.jpg", "IMG_9.jpg", "IMG_10.jpg", "IMG_11.jpg"}));
+    QCOMPARE(names(sides.back), (QStringList{"IMG_12.jpg", "IMG_13.jpg", "IMG_14.jpg"}));
+    QCOMPARE(*sides.sheet, path("trench") / "plate.json");
+  }
+
+  void withoutAPauseAPersonSaysWhereItIsDivided() {
+    for (int i = 0; i < 8; ++i) byHand(qPrintable(QString("even/%1.jpg").arg(i)), 3 * i);
+    const auto plan = planSides({QString::fromStdString(path("even").string())}, path("last.json"));
+    QVERIFY(plan.has_value() && plan->has_value());
+    QVERIFY(!(*plan)->isDecided());
+    QVERIFY(!(*plan)->sheet);  // the one of last time is gone
+    SidesPlan one = **plan;
+    one.one_side = true;
+    QVERIFY(one.isDecided());
+    QCOMPARE(one.sides().front.size(), std::size_t{8});
+    QVERIFY(one.sides().back.empty());
+  }
+
+  void ofTwoFoldersTheLaterOneHoldsTheBacks() {
+    for (int i = 0; i < 3; ++i) {
+      byHand(qPrintable(QString("tray/a/%1.jpg").arg(i)), 40 + i);
+      byHand(qPrintable(QString("tray/b/%1.jpg").arg(i)), i);
+    }
+    QVERIFY(writeFileAtomically(path("last.json"), "{}").has_value());
+    for (const QStringList& dropped :
+         {QStringList{QString::fromStdString(path("tray/a").string()),
+                      QString::fromStdString(path("tray/b").string())},
+          QStringList{QString::fromStdString(path("tray").string())}}) {
+      const auto plan = planSides(dropped, path("last.json"));
+      QVERIFY(plan.has_value() && plan->has_value());
+      QVERIFY(!(*plan)->divisible && (*plan)->isDecided());
+      const ImportSides sides = (*plan)->sides();
+      QCOMPARE(sides.front.front(), path("tray/b/0.jpg"));
+      QCOMPARE(sides.back.front(), path("tray/a/0.jpg"));
+      QCOMPARE(*sides.sheet, path("last.json"));
+    }
+  }
+
+  void whatHoldsNoPhotographsIsRefusedAndABatchIsOne() {
+    QVERIFY(writeFileAtomically(path("empty/readme.txt"), "x").has_value());
+    byHand("one/1.jpg", 1);
+    const QString empty = QString::fromStdString(path("empty").string());
+    const QString one = QString::fromStdString(path("one").string());
+    QVERIFY(!planSides({empty}, {}).has_value());
+    QVERIFY(!planSides({one, empty}, {}).has_value());
+    QVERIFY(!planSides({one, one, one}, {}).has_value());
+    QVERIFY(!planSides({one, one + "/1.jpg"}, {}).has_value());
+    QVERIFY(!planSides({one + "/gone"}, {}).has_value());
+    byHand("batch/front/1.jpg", 1);
+    const auto batch = planSides({QString::fromStdString(path("batch").string())}, {});
+    QVERIFY(batch.has_value() && !batch->has_value());
+  }
+
+  void photographsByHandBecomeABatchUnderTheirOwnNames() {
+    ImportSides sides;
+    for (int i = 0; i < 4; ++i) {
+      byHand(qPrintable(QString("up/IMG_%1.jpg").arg(i)), i);
+      byHand(qPrintable(QString("down/IMG_%1.jpg").arg(i)), 40 + i);
+      sides.front.push_back(path("up") / ("IMG_" + std::to_string(i) + ".jpg"));
+      sides.back.push_back(path("down") / ("IMG_" + std::to_string(i) + ".jpg"));
+    }
+    QVERIFY(writeFileAtomically(path("up/IMG_4.jpg"), "no picture").has_value());
+    sides.front.push_back(path("up/IMG_4.jpg"));
+    sheetAt("sheets");
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    QSignalSpy imported(&importer, &BatchImporter::imported);
+    QSignalSpy there(&importer, &BatchImporter::alreadyThere);
+    std::string sentence;
+    connect(&importer, &BatchImporter::failed, this,
+            [&](const Error& error) { sentence = error.sentence(); });
+    const QString from = QString::fromStdString(path("up").string());
+    importer.start(from, ImportKind::Photographs, {}, sides);
+    QTRY_VERIFY(sentence.find("plate.json") != std::string::npos);  // no sheet was named
+    sides.sheet = path("sheets/plate.json");
+    importer.start(from, ImportKind::Photographs, {}, sides);
+    QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
+    QCOMPARE(imported[0][1].toInt(), 9);
+    QCOMPARE(imported[0][2].toStringList().size(), 1);  // of the one that is no picture
+    const catalogue::BatchRecord batch = session_->project().catalogue().batches()->front();
+    QCOMPARE(batch.state, catalogue::BatchState::Queued);
+    const auto copy = session_->project().batchFolder(batch.number);
+    for (const char* file : {"front/IMG_0.jpg", "back/IMG_3.jpg", "plate.json"})
+      QVERIFY2(std::filesystem::exists(copy / file), file);
+    QVERIFY(!std::filesystem::exists(copy / "front" / "IMG_4.jpg"));
+    QCOMPARE(batch.started_ms, QDateTime(QDate(2026, 7, 14), QTime(9, 30)).toMSecsSinceEpoch());
+    QuietProgress quiet;
+    const auto read = batch::readBatch(copy, {}, quiet);
+    QVERIFY(read.has_value());
+    QCOMPARE(read->way, batch::Way::FreeCamera);
+    QCOMPARE(read->shots.size(), std::size_t{8});
+    importer.start(from, ImportKind::Photographs, {}, sides);
+    QTRY_COMPARE(there.count(), 1);
+  }
+
   void photographsThatAreNoBatchAreRefused() {
     QVERIFY(writeFileAtomically(path("holiday") / "beach.jpg", "x").has_value());
     BatchImporter importer;
@@ -205,7 +333,7 @@ class ImportTest : public QObject {
   }
 
  private:
-  std::filesystem::path path(const char* name) const {
+  std::filesystem::path path(const std::string& name) const {
     return std::filesystem::path(folder_->path().toStdString()) / name;
   }
   InlineJobRunner jobs_;

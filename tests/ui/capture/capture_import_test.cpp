@@ -1,0 +1,155 @@
+// Photographs by hand that are dropped onto the screen.
+#include <QCheckBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QImage>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSlider>
+#include <QUrl>
+#include <QtTest>
+
+#include "catalogue/project.h"
+#include "ui/capture/batch_importer.h"
+#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/capture/import_ask.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "virtualrig/batch_files.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class CaptureImportTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    disk_ = std::make_unique<QTemporaryDir>();
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    const std::filesystem::path folder = folder_->filePath("p").toStdString();
+    auto project = catalogue::Project::create(folder, record);
+    QVERIFY(project.has_value());
+    session_ = std::make_unique<ProjectSession>(
+        std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
+    wizard_ = std::make_unique<CaptureWizard>();
+    station_ = std::make_unique<CaptureStation>(wizard_.get());
+    station_->resize(1200, 640);
+    station_->openProject(*session_);
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    station_->setInFront(true);
+  }
+  void cleanup() {
+    station_->closeProject();
+    station_.reset();
+    wizard_.reset();
+    session_.reset();
+  }
+
+  // The two drops and the button: nothing else is needed.
+  void twoDroppedFoldersAreImportedWithOneButton() {
+    photographs("fronts", 4);
+    photographs("backs", 3);
+    QVERIFY(virtualrig::writePlateAndBoard(disk_->path().toStdString()).has_value());
+    drop({disk_->filePath("fronts"), disk_->filePath("backs")});
+    auto* ask = station_->findChild<ImportAsk*>();
+    QTRY_VERIFY(ask->isVisible());
+    QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_3.jpg"));
+    QVERIFY(child<QLabel>("importBack")->text().contains("IMG_0.jpg to IMG_2.jpg"));
+    QVERIFY(!child<QSlider>("importDivide")->isVisible());
+    QVERIFY(child<QLabel>("importSheet")->text().contains("plate.json"));
+    QTest::mouseClick(child<QPushButton>("importSwap"), Qt::LeftButton);
+    QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_2.jpg"));
+    QTest::mouseClick(child<QPushButton>("importSwap"), Qt::LeftButton);
+    QSignalSpy imported(station_->importer(), &BatchImporter::imported);
+    QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
+    QTRY_COMPARE(imported.count(), 1);
+    const auto batch = session_->project().catalogue().batchByNumber("B0001");
+    QVERIFY(batch.has_value());
+    QCOMPARE(batch->state, catalogue::BatchState::Queued);
+  }
+
+  void aSeriesWithoutAPauseIsDividedByAPersonOrImportedAsOneSide() {
+    photographs("series", 8);
+    drop({disk_->filePath("series")});
+    auto* ask = station_->findChild<ImportAsk*>();
+    QTRY_VERIFY(ask->isVisible());
+    auto* start = child<QPushButton>("importStart");
+    auto* where = child<QSlider>("importDivide");
+    QVERIFY(!start->isEnabled());
+    QVERIFY(child<QLabel>("importFlip")->text().contains("No pause"));
+    QVERIFY(child<QLabel>("importSheet")->text().contains("No sheet"));
+    QCOMPARE(where->minimum(), 3);
+    QCOMPARE(where->maximum(), 5);
+    where->setFocus();
+    QTest::keyClick(where, Qt::Key_Right);
+    QVERIFY(start->isEnabled());
+    QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_4.jpg"));
+    QVERIFY(child<QLabel>("importBack")->text().contains("IMG_5.jpg to IMG_7.jpg"));
+    child<QCheckBox>("importOneSide")->click();
+    QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_7.jpg"));
+    QVERIFY(!child<QPushButton>("importSwap")->isVisible());
+    QTest::keyClick(ask, Qt::Key_Escape);
+    QVERIFY(!ask->isVisible());
+    QVERIFY(session_->project().catalogue().batches()->empty());
+  }
+
+  void whatHoldsNoPhotographsIsSaidWhenItIsDropped() {
+    QVERIFY(QDir(disk_->path()).mkdir("nothing"));
+    drop({disk_->filePath("nothing")});
+    QTRY_VERIFY(shownMessage() != nullptr);
+    QVERIFY(shownMessage()->words().contains("no photographs") ||
+            shownMessage()->headline().contains("no photographs"));
+    QVERIFY(!station_->findChild<ImportAsk*>()->isVisible());
+  }
+
+ private:
+  void photographs(const QString& folder, int count) {
+    QVERIFY(QDir(disk_->path()).mkdir(folder));
+    QImage image(800, 600, QImage::Format_RGB32);
+    for (int i = 0; i < count; ++i) {
+      image.fill(QColor::fromHsv(i * 40, 90 + static_cast<int>(folder.size()), 200));
+      QVERIFY(image.save(disk_->filePath(QString("%1/IMG_%2.jpg").arg(folder).arg(i))));
+    }
+  }
+
+  void drop(const QStringList& folders) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& folder : folders) urls << QUrl::fromLocalFile(folder);
+    data.setUrls(urls);
+    QVERIFY(station_->acceptDrops());
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(station_.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(station_.get(), &event);
+  }
+
+  MessagePanel* shownMessage() {
+    for (auto* panel : station_->findChildren<MessagePanel*>())
+      if (panel->isVisible()) return panel;
+    return nullptr;
+  }
+
+  template <class T>
+  T* child(const char* name) {
+    return station_->findChild<T*>(QString::fromLatin1(name));
+  }
+
+  InlineJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_, disk_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<CaptureWizard> wizard_;
+  std::unique_ptr<CaptureStation> station_;
+};
+
+QTEST_MAIN(CaptureImportTest)
+#include "capture_import_test.moc"

@@ -1,0 +1,102 @@
+#include "ui/capture/import_chooser.h"
+
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
+#include <QUrl>
+#include <QWidget>
+
+#include "catalogue/project.h"
+#include "ui/capture/import_ask.h"
+#include "ui/capture/sides_view.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr const char* kSheetKey = "import.sheet";
+
+QStringList pathsOf(const QMimeData* data) {
+  QStringList paths;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  return paths;
+}
+
+}  // namespace
+
+ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
+    : QObject(screen), screen_(screen), ask_(ask) {
+  screen_->installEventFilter(this);
+  connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
+    if (session_ != nullptr)
+      (void)session_->project().catalogue().setSetting(kSheetKey, file.toStdString());
+  });
+}
+
+void ImportChooser::setSession(ProjectSession* session) {
+  if (job_ != nullptr) job_->drop();
+  session_ = session;
+  screen_->setAcceptDrops(session != nullptr);
+}
+
+std::filesystem::path ImportChooser::lastSheet() const {
+  const Result<std::string> kept = session_->project().catalogue().setting(kSheetKey);
+  return kept ? std::filesystem::path(*kept) : std::filesystem::path();
+}
+
+void ImportChooser::choose(ImportKind kind) {
+  auto* dialog = new QFileDialog(screen_, kind == ImportKind::Scans
+                                              ? tr("Folder with front/ and back/ scans")
+                                              : tr("Folder of a batch, or with photographs"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, kind](const QString& folder) {
+    if (kind == ImportKind::Scans)
+      ask_->ask(folder, kind);
+    else
+      take({folder});
+  });
+  dialog->open();
+}
+
+void ImportChooser::take(const QStringList& paths) {
+  if (session_ == nullptr || paths.isEmpty()) return;
+  if (job_ != nullptr) job_->drop();
+  job_ = session_->jobs().start(makeJob(tr("Photographs of %1").arg(paths.front()),
+                                        [paths, last = lastSheet()](Progress&, std::stop_token) {
+                                          return planSides(paths, last);
+                                        }),
+                                this);
+  connect(job_, &JobHandle::finished, this, [this, paths](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_ = nullptr;
+    const auto plan = outcomeAs<std::optional<SidesPlan>>(outcome);
+    if (!plan) return emit failed(plan.error());
+    if (*plan)
+      ask_->askSides(**plan);
+    else
+      ask_->ask(paths.front(), ImportKind::Photographs);
+  });
+}
+
+bool ImportChooser::eventFilter(QObject* watched, QEvent* event) {
+  if (session_ == nullptr) return false;
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
+    auto* drag = static_cast<QDragMoveEvent*>(event);
+    if (pathsOf(drag->mimeData()).isEmpty()) return false;
+    drag->acceptProposedAction();
+    return true;
+  }
+  if (event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    drop->acceptProposedAction();
+    take(pathsOf(drop->mimeData()));
+    return true;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,54 @@
+#pragma once
+#include <QWidget>
+#include <array>
+
+#include "ui/capture/import_sides.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace ostraka::ui {
+
+class ElidedLabel;
+class Thumbnails;
+
+/// The sides of photographs by hand before they are imported: first and last photograph of each,
+/// where one series is divided, and the sheet under the sherds; all of it can be changed.
+class SidesView final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SidesView(QWidget* parent = nullptr);
+  void setThumbnails(Thumbnails* thumbnails);  ///< null takes them away
+  void setPlan(const SidesPlan& plan);
+  const SidesPlan& plan() const { return plan_; }
+
+ signals:
+  void changed();
+  void sheetChosen(const QString& file);
+
+ private:
+  struct Part {
+    QLabel* words;
+    std::array<QLabel*, 2> pictures;
+  };
+  Part buildPart(const QString& name);
+  void chooseSheet();
+  void follow();
+  void showPart(const Part& part, const QString& side,
+                const std::vector<std::filesystem::path>& files);
+  void showPicture(QLabel* label, const std::filesystem::path& file);
+
+  SidesPlan plan_;
+  Thumbnails* thumbnails_ = nullptr;
+  std::array<Part, 2> parts_;
+  QLabel* flip_;
+  QSlider* where_;
+  QCheckBox* one_side_;
+  QPushButton* swap_;
+  ElidedLabel* sheet_;
+};
+
+}  // namespace ostraka::ui

@@ -42,8 +42,8 @@ struct Marker {
 struct Plate {
   std::string dictionary;  ///< OpenCV's name, as DICT_4X4_100
   double diameter_mm = 0;  ///< not in plate.json: of the circle through the farthest marker corner
-  /// A printed sheet in place of a round plate: the paper's extent, plate frame, mm. Absent where
-  /// plate.json has a diameter.
+  /// A printed sheet in place of a round plate: the paper's extent about the origin, mm ("sheet" of
+  /// plate.json, or asSheet).
   std::optional<Eigen::AlignedBox2d> sheet;
   std::vector<Marker> markers;
 };
@@ -103,6 +103,10 @@ Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOpti
                         Progress& progress);
 
 Result<Plate> readPlate(const std::filesystem::path& file);
+/// The same for photographs by hand, which lie over a sheet whatever plate.json says: without
+/// "sheet" the paper is taken around the markers, with as much margin as there is between them, and
+/// the frame moved into its middle, since files of others count from a corner.
+Plate asSheet(Plate plate);
 Result<Board> readBoard(const std::filesystem::path& file);
 /// {"unit":"mm","lengths":[{"side":"front","length":50,"ends":[[{"file","pixel"},...],[...]]}]}
 Result<std::vector<KnownLength>> readKnownLengths(const std::filesystem::path& file);

@@ -171,10 +171,18 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
         file);
   }
   if (Result<void> good = checkMarkers(plate.markers, file); !good) return good.error();
-  if (plate.diameter_mm == 0) {
-    plate.diameter_mm = markedDiameter(plate);
-    if (!plate.sheet) plate.sheet = markedSheet(plate);
-  }
+  if (plate.diameter_mm == 0) plate.diameter_mm = markedDiameter(plate);
+  return plate;
+}
+
+Plate asSheet(Plate plate) {
+  if (plate.sheet) return plate;
+  const Eigen::AlignedBox2d box = markedSheet(plate);
+  const Eigen::Vector2d middle = box.center();
+  for (Marker& marker : plate.markers)
+    for (Eigen::Vector3d& corner : marker.corners) corner.head<2>() -= middle;
+  plate.sheet = Eigen::AlignedBox2d(box.min() - middle, box.max() - middle);
+  plate.diameter_mm = markedDiameter(plate);
   return plate;
 }
 

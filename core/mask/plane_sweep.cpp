@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "base/processors.h"
 #include "mask/exponential.h"
@@ -19,6 +20,7 @@ constexpr float kNoise = 1;      // levels of 255 that noise leaves after halvin
 constexpr double kFiner = 1.5;   // picture cells per cell, so that scaling blurs little
 constexpr int kShares = 256;     // of a cell, for interpolating
 constexpr float kUnseen = -1e3F;
+constexpr std::size_t kNearest = 4;  // photographs farther off see another shading and outline
 
 OSTRAKA_CLONED void blendRows(const short* top, const short* bottom, int share, int count,
                               short* blend) {
@@ -181,10 +183,27 @@ void PlaneSweep::lay(const Shot& shot, double height_mm, Laid& laid) const {
   laid.best.setTo(0);
 }
 
+// Each photograph with its nearest, by the angle at which they look at the plate's middle.
+void PlaneSweep::findPairs() {
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  const auto direction = [&](std::size_t i) {
+    return Eigen::Vector3d(shots_[i].x_mm, shots_[i].y_mm, shots_[i].z_mm).normalized();
+  };
+  for (std::size_t i = 0; i < shots_.size(); ++i) {
+    std::vector<std::pair<double, std::size_t>> others;
+    for (std::size_t j = 0; j < shots_.size(); ++j)
+      if (j != i) others.emplace_back(-direction(i).dot(direction(j)), j);
+    std::sort(others.begin(), others.end());
+    for (std::size_t k = 0; k < std::min(kNearest, others.size()); ++k)
+      pairs.emplace(std::min(i, others[k].second), std::max(i, others[k].second));
+  }
+  pairs_.assign(pairs.begin(), pairs.end());
+}
+
 void PlaneSweep::correlate() {
   const std::size_t count = laid_.size();
   std::vector<Moments> moments(count, Moments(size_));
-  std::vector<std::vector<int>> products(count * count, std::vector<int>(size_, 0));
+  std::vector<std::vector<int>> products(pairs_.size(), std::vector<int>(size_, 0));
   std::vector<int> pairs(size_), fours(size_), window(size_);
   std::vector<float> ncc(size_);
   for (int row = 0; row < size_; ++row) {
@@ -202,17 +221,17 @@ void PlaneSweep::correlate() {
         for (int x = 0; x < size_; ++x)
           if (laid_[i].seen(y, x) == 0) m.strength[x] = 0;
     }
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = i + 1; j < count; ++j) {
-        int* product = products[i * count + j].data();
-        addProducts(laid_[i].value[row], laid_[j].value[row], size_, product);
-        if (gone >= 0) takeProducts(laid_[i].value[gone], laid_[j].value[gone], size_, product);
-        if (row + 1 < kWindow) continue;
-        sumAcross(product, size_, pairs.data(), fours.data(), window.data());
-        agreements(window.data(), moments[i].sum.data(), moments[i].strength.data(),
-                   moments[j].sum.data(), moments[j].strength.data(), size_, ncc.data());
-        keepLarger(ncc.data(), size_, laid_[i].best[y], laid_[j].best[y]);
-      }
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const auto [i, j] = pairs_[p];
+      int* product = products[p].data();
+      addProducts(laid_[i].value[row], laid_[j].value[row], size_, product);
+      if (gone >= 0) takeProducts(laid_[i].value[gone], laid_[j].value[gone], size_, product);
+      if (row + 1 < kWindow) continue;
+      sumAcross(product, size_, pairs.data(), fours.data(), window.data());
+      agreements(window.data(), moments[i].sum.data(), moments[i].strength.data(),
+                 moments[j].sum.data(), moments[j].strength.data(), size_, ncc.data());
+      keepLarger(ncc.data(), size_, laid_[i].best[y], laid_[j].best[y]);
+    }
   }
 }
 
@@ -239,6 +258,7 @@ void PlaneSweep::keep(const Shot& shot, double height_mm, const cv::Mat1f& best,
 }
 
 void PlaneSweep::agreeOn(double height_mm, std::vector<cv::Mat1f>& best) {
+  if (pairs_.empty()) findPairs();
   for (std::size_t i = 0; i < shots_.size(); ++i) lay(shots_[i], height_mm, laid_[i]);
   correlate();
   for (std::size_t i = 0; i < shots_.size(); ++i)

@@ -20,8 +20,8 @@ class PlaneSweep {
   void add(const rig::PosedImage& image, const cv::Mat1f& brightness, double highest_mm);
 
   /// Lays all photographs on a plane; best[i], as large as `ground(i)`, becomes the larger of
-  /// itself and the normalised cross correlation of photograph i with that other one which agrees
-  /// most, over windows of 9 cells; nothing where a window is not seen whole.
+  /// itself and the normalised cross correlation of photograph i with that one of its nearest which
+  /// agrees most, over windows of 9 cells; nothing where a window is not seen whole.
   void agreeOn(double height_mm, std::vector<cv::Mat1f>& best);
 
   /// The cells of the plate's plane that photograph i's rays through all planes can meet.
@@ -45,6 +45,7 @@ class PlaneSweep {
     cv::Mat1f best;
   };
   void lay(const Shot& shot, double height_mm, Laid& laid) const;
+  void findPairs();
   void correlate();
   void keep(const Shot& shot, double height_mm, const cv::Mat1f& best, cv::Mat1f& kept) const;
 
@@ -52,6 +53,7 @@ class PlaneSweep {
   int size_;
   std::vector<Shot> shots_;
   std::vector<Laid> laid_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< that are laid over each other
 };
 
 }  // namespace ostraka::mask

@@ -65,7 +65,7 @@ void weighAgreement(const PlateView& view, std::span<const PlateView> others,
   PlateGrid millimetres;
   millimetres.pitch_mm = 1;
   millimetres.size = 1;
-  const cv::Mat2f plate = gridOfPixels(*view.image, millimetres);
+  const cv::Mat2f plate = gridOfPixels(*view.image, millimetres, view.bend);
   for (int y = 0; y < log_odds.rows; ++y)
     for (int x = 0; x < log_odds.cols; ++x) {
       if (allowed(y, x) == 0) continue;
@@ -75,7 +75,8 @@ void weighAgreement(const PlateView& view, std::span<const PlateView> others,
       float odds = 0;
       cv::Vec3f value;
       for (const PlateView& other : others)
-        if (witness(other, Eigen::Vector3d(p[0], p[1], 0), value)) odds += pairOdds(own, value);
+        if (witness(other, Eigen::Vector3d(p[0], p[1], view.bend.at(p[0], p[1])), value))
+          odds += pairOdds(own, value);
       log_odds(y, x) -= std::clamp(odds, -kMostAgreement, kMostAgreement);
     }
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 
 namespace ostraka::mask {
 
@@ -14,6 +15,7 @@ struct PlateView {
   const cv::Mat3f* residual = nullptr;
   const cv::Mat1b* hull = nullptr;
   int reduction = 4;
+  rig::SheetBend bend = {};
 };
 
 /// A shadow lies on the plate: the other cameras of the same stop see the same darkening at the

@@ -55,6 +55,7 @@ PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel) {
   grid.pitch_mm = std::max(grid.pitch_mm, plate.diameter_mm / 1600);
   grid.size = 2 * static_cast<int>(std::ceil(grid.radius_mm / grid.pitch_mm)) + 1;
   grid.ring_inner_mm = grid.radius_mm;
+  if (plate.sheet) return grid;  // sherds may lie on its markers
   for (const batch::Marker& marker : plate.markers) {
     const double side = (marker.corners[1] - marker.corners[0]).norm();
     for (int k = 0; k < 4; ++k) {
@@ -65,7 +66,9 @@ PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel) {
   return grid;
 }
 
-cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid) {
+cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid,
+                       const rig::SheetBend& bend) {
+  const bool flat = bend.flat();
   const Eigen::Isometry3d plate_from_camera = image.camera_from_plate.inverse();
   const Eigen::Vector3d centre = plate_from_camera.translation();
   return interpolated(image.intrinsics.width, image.intrinsics.height, [&](int x, int y) {
@@ -73,16 +76,21 @@ cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid) {
     const Eigen::Vector3d ray = plate_from_camera.linear() * n.homogeneous();
     const double scale = -centre.z() / ray.z();
     if (!(scale > 0)) return cv::Vec2f(kNowhere, kNowhere);
-    const Eigen::Vector3d p = centre + scale * ray;
+    Eigen::Vector3d p = centre + scale * ray;
+    // A sheet rises by a few millimetres over decimetres: each round leaves a hundredth.
+    for (int round = 0; round < 3 && !flat; ++round)
+      p = centre + (bend.at(p.x(), p.y()) - centre.z()) / ray.z() * ray;
     return cv::Vec2f(static_cast<float>(p.x() / grid.pitch_mm + grid.middle()),
                      static_cast<float>(p.y() / grid.pitch_mm + grid.middle()));
   });
 }
 
 cv::Mat2f pixelsOfCells(const rig::PosedImage& image, const Eigen::Vector2d& first_mm,
-                        double pitch_mm, cv::Size cells) {
+                        double pitch_mm, cv::Size cells, const rig::SheetBend& bend) {
+  const bool flat = bend.flat();
   return interpolated(cells.width, cells.height, [&](int column, int row) {
-    const Eigen::Vector3d p(first_mm.x() + column * pitch_mm, first_mm.y() + row * pitch_mm, 0);
+    Eigen::Vector3d p(first_mm.x() + column * pitch_mm, first_mm.y() + row * pitch_mm, 0);
+    if (!flat) p.z() = bend.at(p.x(), p.y());
     const Eigen::Vector3d q = image.camera_from_plate * p;
     if (q.z() <= 0) return cv::Vec2f(kNowhere, kNowhere);
     const Eigen::Vector2d pixel = image.intrinsics.project(q);
@@ -90,9 +98,10 @@ cv::Mat2f pixelsOfCells(const rig::PosedImage& image, const Eigen::Vector2d& fir
   });
 }
 
-cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid) {
+cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid,
+                       const rig::SheetBend& bend) {
   const double first = -grid.middle() * grid.pitch_mm;
-  return pixelsOfCells(image, {first, first}, grid.pitch_mm, {grid.size, grid.size});
+  return pixelsOfCells(image, {first, first}, grid.pitch_mm, {grid.size, grid.size}, bend);
 }
 
 cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid) {

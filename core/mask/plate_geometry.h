@@ -3,6 +3,7 @@
 
 #include "batch/batch.h"
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 
 namespace ostraka::mask {
 
@@ -24,17 +25,19 @@ PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel);
 double millimetresPerPixel(const rig::PosedImage& image);
 
 /// CV_32FC2 of the photograph's size: grid coordinates (column, row) of the plate point behind each
-/// pixel; (-1e4, -1e4) where the ray misses the plane. Interpolated on an 8-pixel lattice (< 0.01
-/// px).
-cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid);
+/// pixel; (-1e4, -1e4) where the ray misses the plane. Interpolated on a 4-pixel lattice (< 0.01
+/// px). bend: of a sheet that leaves its plane.
+cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid,
+                       const rig::SheetBend& bend = {});
 
 /// CV_32FC2: pixel of each of `cells` points of the plate, the first of them at first_mm, pitch_mm
 /// apart; (-1e4, -1e4) behind the camera. Interpolated as gridOfPixels.
 cv::Mat2f pixelsOfCells(const rig::PosedImage& image, const Eigen::Vector2d& first_mm,
-                        double pitch_mm, cv::Size cells);
+                        double pitch_mm, cv::Size cells, const rig::SheetBend& bend = {});
 
 /// CV_32FC2 of the grid's size: pixel of each cell's centre; (-1e4, -1e4) behind the camera.
-cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid);
+cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid,
+                       const rig::SheetBend& bend = {});
 
 /// 255 on the markers' paper (marker and a quiet zone of one module), 0 elsewhere.
 cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid);

@@ -17,6 +17,7 @@
 #include "mask/plate_agreement.h"
 #include "mask/plate_picture.h"
 #include "mask/raised.h"
+#include "mask/sheet_picture.h"
 
 namespace ostraka::mask {
 namespace {
@@ -126,10 +127,15 @@ class PlateMasker {
     for (std::size_t i = 0; i < images_.size(); ++i) by_camera[images_[i].camera].push_back(i);
     const auto total = static_cast<std::int64_t>(2 * images_.size() + 2);
     std::int64_t done = 0;
-    for (const auto& [camera, members] : by_camera) {
-      if (stop.stop_requested()) return Error::cancelled();
-      weighCamera(camera, members, progress);
-      progress.report(done += static_cast<std::int64_t>(members.size()), total);
+    if (plate_.sheet) {
+      if (const Result<void> weighed = weighSheet(stop); !weighed) return weighed.error();
+      progress.report(done = static_cast<std::int64_t>(images_.size()), total);
+    } else {
+      for (const auto& [camera, members] : by_camera) {
+        if (stop.stop_requested()) return Error::cancelled();
+        weighCamera(camera, members, progress);
+        progress.report(done += static_cast<std::int64_t>(members.size()), total);
+      }
     }
     weighStops(stop);
     if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : nothingFound();
@@ -141,7 +147,7 @@ class PlateMasker {
       });
     };
     overViews(&PlateMasker::showHull);
-    if (!stop.stop_requested()) nameShadows(by_camera, progress);
+    if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
     overViews(&PlateMasker::askOthers);
     if (!stop.stop_requested()) learnColours();
     overViews(&PlateMasker::cutView);
@@ -186,6 +192,48 @@ class PlateMasker {
     });
   }
 
+  // Evidence of all photographs against the printed sheet. Beyond its edge nothing is known.
+  Result<void> weighSheet(const std::stop_token& stop) {
+    double finest = millimetresPerPixel(images_[0]);
+    for (const rig::PosedImage& image : images_)
+      finest = std::min(finest, millimetresPerPixel(image));
+    const PlateGrid grid = gridOver(plate_, finest);
+    const Result<cv::Mat1f> printed = printedSheet(plate_, grid);
+    if (!printed) return printed.error();
+    std::vector<cv::Mat3b> samples(images_.size());
+    parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
+      if (stop.stop_requested()) return;
+      cv::remap(photographs_[i], samples[i], pixelsOfGrid(images_[i], grid, options_.bend),
+                cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar::all(0));
+    });
+    if (stop.stop_requested()) return Error::cancelled();
+    const SheetPicture picture = buildSheetPicture(samples, *printed);
+    still_light_ = picture.still_light;
+    samples.clear();
+    parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
+      if (stop.stop_requested()) return;
+      cv::Mat1b known;
+      const cv::Mat3f predicted = predictBareSheet(
+          picture, i, *printed, gridOfPixels(images_[i], grid, options_.bend), known);
+      const cv::Mat3f bare = smoothed(predicted);
+      cv::Mat3f residual = smoothed(logColours(photographs_[i])) - bare;
+      residual.setTo(cv::Scalar::all(0), ~known);
+      const ResidualNoise noise = measureNoise(residual, bare, known);
+      Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
+      // Where the pixel beside is unknown the smoothing mixed both.
+      cv::Mat1b certain;
+      cv::erode(known, certain, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
+      evidence.log_odds.setTo(0, ~certain);
+      evidence.clear.setTo(0, ~certain);
+      ViewState& view = views_[i];
+      view.residual = evidence.residual;
+      view.log_odds = evidence.log_odds;
+      view.hull = reduced(i, evidence);
+      cv::resize(certain, view.plate, view.hull.clear.size(), 0, 0, cv::INTER_NEAREST);
+    });
+    return stop.stop_requested() ? Result<void>(Error::cancelled()) : Result<void>();
+  }
+
   // What stands above the plate though it has the plate's colour, stop by stop.
   void weighStops(const std::stop_token& stop) {
     std::map<int, std::vector<std::size_t>> by_stop;
@@ -200,14 +248,19 @@ class PlateMasker {
         images.push_back(&images_[i]);
         photographs.push_back(&photographs_[i]);
       }
-      const std::vector<cv::Mat1f> heights =
-          weighHeights(images, photographs, plate_, options_.height_mm);
+      std::vector<cv::Mat1f> heights =
+          weighHeights(images, photographs, plate_, options_.height_mm, options_.bend.most());
       for (std::size_t k = 0; k < images.size(); ++k) addHeights(views_[stops[s][k]], heights[k]);
     });
   }
 
-  void addHeights(ViewState& view, const cv::Mat1f& odds) {
+  void addHeights(ViewState& view, cv::Mat1f& odds) {
     cv::Mat1f small;
+    if (plate_.sheet) {  // a table's grain agrees at any height along its lines
+      cv::Mat1b known;
+      cv::resize(view.plate, known, odds.size(), 0, 0, cv::INTER_NEAREST);
+      odds.setTo(0, ~known);
+    }
     view.height_odds = odds;
     view.log_odds += heightsInTheLight(odds, view.residual);
     cv::resize(odds, small, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
@@ -264,17 +317,22 @@ class PlateMasker {
   }
 
   bool carve(const std::stop_token& stop) {
-    const double radius = 0.5 * plate_.diameter_mm;
     space_.pitch = 1.5;  // about 6 pixels; the outline itself is found in the photographs
-    space_.radius = radius;
-    const int half = static_cast<int>(std::ceil(radius / space_.pitch));
-    space_.low = Eigen::Vector3d(-half * space_.pitch, -half * space_.pitch, 0.5 * space_.pitch);
+    Eigen::Vector2d reach = Eigen::Vector2d::Constant(0.5 * plate_.diameter_mm);
+    if (plate_.sheet)
+      reach = 0.5 * plate_.sheet->sizes();
+    else
+      space_.radius = reach.x();
+    const int half_x = static_cast<int>(std::ceil(reach.x() / space_.pitch));
+    const int half_y = static_cast<int>(std::ceil(reach.y() / space_.pitch));
+    space_.low =
+        Eigen::Vector3d(-half_x * space_.pitch, -half_y * space_.pitch, 0.5 * space_.pitch);
     hull_.threads = options_.threads;
     std::vector<HullView> views;
     for (const ViewState& view : views_) views.push_back(view.hull);
     int groups = 0;
     for (double height = options_.height_mm; height <= kTallest_mm; height *= 2) {
-      space_.count = {2 * half + 1, 2 * half + 1,
+      space_.count = {2 * half_x + 1, 2 * half_y + 1,
                       static_cast<int>(std::ceil(height / space_.pitch))};
       voxels_ = carveHull(space_, views, hull_, stop);
       groups = dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
@@ -345,8 +403,9 @@ class PlateMasker {
   void askOthers(std::size_t index) {
     ViewState& view = views_[index];
     weighAgreement(
-        {&images_[index], &view.residual, &view.group, hull_.reduction}, beside(index),
-        [this](double x, double y) { return bareAt(x, y); }, view.allowed, view.log_odds);
+        {&images_[index], &view.residual, &view.group, hull_.reduction, options_.bend},
+        beside(index), [this](double x, double y) { return bareAt(x, y); }, view.allowed,
+        view.log_odds);
   }
 
   void learnColours() {
@@ -390,12 +449,13 @@ class PlateMasker {
     return voxels_[static_cast<std::size_t>(row) * space_.count.x() + column] == 0;
   }
 
-  // The other cameras' views of the same stop.
+  // The other cameras' views of the same stop, as long as the light is the same.
   std::vector<PlateView> beside(std::size_t index) const {
     std::vector<PlateView> others;
+    if (!still_light_) return others;
     for (std::size_t i = 0; i < images_.size(); ++i)
       if (i != index && images_[i].stop == images_[index].stop &&
-          images_[i].camera != images_[index].camera)
+          (plate_.sheet || images_[i].camera != images_[index].camera))
         others.push_back({&images_[i], &views_[i].residual, &views_[i].group, hull_.reduction});
     return others;
   }
@@ -409,6 +469,7 @@ class PlateMasker {
   HullOptions hull_;
   HullSpace space_;
   std::vector<unsigned char> voxels_;
+  bool still_light_ = true;  ///< on a sheet; at a stop of a rig it is
   MaskResult result_;
 };
 

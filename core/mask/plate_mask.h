@@ -8,6 +8,7 @@
 #include "batch/batch.h"
 #include "mask/masks.h"
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 
 namespace ostraka::mask {
 
@@ -18,11 +19,14 @@ struct PlateMaskOptions {
   double height_mm = 80;  ///< of the space that the visual hull is carved from; doubled while
                           ///< something reaches its top, up to kTallest_mm
   double min_sherd_area_mm2 =
-      25;  ///< smaller things are crumbs: a sherd of 5 x 5 mm has no contour
+      25;               ///< smaller things are crumbs: a sherd of 5 x 5 mm has no contour
+  rig::SheetBend bend;  ///< of a printed sheet (Plate::sheet)
   Result<void> check() const;
 };
 
-/// Masks of one side from the turning plate.
+/// Masks of one side from the marker plate: a round one that turns below cameras at rest, or a
+/// printed sheet (Plate::sheet) that photographs look down on from anywhere. On a sheet sherds may
+/// lie on the markers; what lies beyond its edge is none.
 /// images: cameras and poses, plate frame, mm; photographs: CV_8UC3 (BGR), one per image, same size
 /// as its intrinsics say. empty_photographs: the bare plate at one of the stops, indexed
 /// by PosedImage::camera; the span or single Mats may be empty. A photograph whose empty partner

@@ -78,7 +78,8 @@ cv::Mat1f oddsOf(const rig::PosedImage& image, const cv::Mat1f& on_plate, const 
 
 std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> images,
                                     std::span<const cv::Mat* const> photographs,
-                                    const batch::Plate& plate, double max_height_mm) {
+                                    const batch::Plate& plate, double max_height_mm,
+                                    double bend_mm) {
   std::vector<cv::Mat1f> odds;
   if (images.size() < 2) {
     for (const cv::Mat* photograph : photographs)
@@ -97,7 +98,7 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
     above.emplace_back(sweep.ground(i), 0.F);
   }
   for (int plane = 0; plane <= planes; ++plane)
-    sweep.agreeOn(plane * step, plane * step < kThinnest ? on_plate : above);
+    sweep.agreeOn(plane * step, plane * step < kThinnest + bend_mm ? on_plate : above);
   PlateGrid millimetres;
   millimetres.pitch_mm = 1;
   millimetres.size = 1;

@@ -16,10 +16,12 @@ namespace ostraka::mask {
 /// log P(agreement | something above the plate) / P(agreement | plate), 0 where nothing can be told
 /// (no texture, one photograph only, not above the plate). Shrunk by the correlation's window, so
 /// that it does not reach beyond the outline of a sherd of the plate's brightness. The outline of
-/// another alone makes windows agree that lie beside it: low odds are no evidence.
+/// another alone makes windows agree that lie beside it: low odds are no evidence. bend_mm: how far
+/// a sheet leaves its plane; so high nothing stands above it.
 std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> images,
                                     std::span<const cv::Mat* const> photographs,
-                                    const batch::Plate& plate, double max_height_mm);
+                                    const batch::Plate& plate, double max_height_mm,
+                                    double bend_mm = 0);
 
 /// Such odds in a photograph's own size, less where it is darker than a third of the bare plate and
 /// none below a sixth: what lies in so deep a shadow shows no grain, so its windows agree by the

@@ -4,6 +4,8 @@
 #include <ceres/rotation.h>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "rig/covariance.h"
 
@@ -139,6 +141,40 @@ struct PrintPrior {
   }
 };
 
+// A printed corner lies on the bent sheet. x, y: in half diagonals of the sheet.
+struct BentPrintPrior {
+  double x = 0, y = 0, sd_mm = 1;
+  template <class T>
+  bool operator()(const T* error, const T* bend, T* out) const {
+    for (int k = 0; k < 3; ++k) out[k] = error[k] / T(sd_mm);
+    out[2] -= SheetBend::height(bend, x, y) / T(sd_mm);
+    return true;
+  }
+};
+
+struct BendPrior {
+  double sd_mm = 1;
+  template <class T>
+  bool operator()(const T* bend, T* out) const {
+    for (int k = 0; k < SheetBend::kTerms; ++k) out[k] = bend[k] / T(sd_mm);
+    return true;
+  }
+};
+
+// A photograph's own lens against that of its camera.
+struct OwnLensPrior {
+  double width = 0, focal_sd = 1, centre_sd = 1, distortion_sd = 1;
+  template <class T>
+  bool operator()(const T* own, const T* lens, T* out) const {
+    for (int k = 0; k < 2; ++k) out[k] = (own[k] / lens[k] - T(1)) / T(focal_sd);
+    out[2] = (own[0] / own[1] - lens[0] / lens[1]) / T(1e-4);
+    for (int k = 2; k < 4; ++k) out[k + 1] = (own[k] - lens[k]) / T(centre_sd * width);
+    for (int k = 4; k < 6; ++k) out[k + 1] = (own[k] - lens[k]) / T(distortion_sd);
+    for (int k = 6; k < 8; ++k) out[k + 1] = (own[k] - lens[k]) / T(0.1 * distortion_sd);
+    return true;
+  }
+};
+
 // Wide, so that a plate of another size is seen for what it is and not bent to fit.
 struct ScalePrior {
   template <class T>
@@ -174,7 +210,10 @@ class Adjustment {
                        const std::vector<BoardCorner>& board) {
     for (const PlateCorner& corner : plate) add(corner);
     for (const BoardCorner& corner : board) add(corner);
-    addPriors();
+    if (options_.cameras == Cameras::Separate)
+      addSeparatePriors(plate);
+    else
+      addPriors();
     keepUndeterminedTerms();
     fixGauge();
     ceres::Solver::Options options;
@@ -215,16 +254,70 @@ class Adjustment {
                               intrinsics_[c.camera].data(), boards_[c.view].data());
   }
 
-  void addPriors() {
+  void addLensPrior(const Intrinsics& size, IntrinsicsBlock& lens) {
+    using Lens = ceres::AutoDiffCostFunction<LensPrior, 8, 9>;
+    problem_.AddResidualBlock(new Lens(new LensPrior{size.width, size.height}), nullptr,
+                              lens.data());
+  }
+
+  void addInsetPriors() {
+    using Inset = ceres::AutoDiffCostFunction<InsetPrior, 1, 1>;
+    for (double& inset : insets_)
+      problem_.AddResidualBlock(new Inset(new InsetPrior), nullptr, &inset);
+  }
+
+  // Each lens starts as the first of its photographs has it.
+  void addSeparatePriors(const std::vector<PlateCorner>& corners) {
+    const OwnLenses& own = options_.lenses;
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
       const Intrinsics& i = state_.cameras[c].intrinsics;
-      using Lens = ceres::AutoDiffCostFunction<LensPrior, 8, 9>;
-      problem_.AddResidualBlock(new Lens(new LensPrior{i.width, i.height}), nullptr,
-                                intrinsics_[c].data());
-      using Inset = ceres::AutoDiffCostFunction<InsetPrior, 1, 1>;
-      problem_.AddResidualBlock(new Inset(new InsetPrior), nullptr, &insets_[c]);
+      const auto [lens, first] = lenses_.try_emplace(own.lens_of_camera[c], intrinsics_[c]);
+      if (first) addLensPrior(i, lens->second);
+      using Own = ceres::AutoDiffCostFunction<OwnLensPrior, 9, 9, 9>;
+      problem_.AddResidualBlock(new Own(new OwnLensPrior{static_cast<double>(i.width), own.focal_sd,
+                                                         own.centre_sd, own.distortion_sd}),
+                                nullptr, intrinsics_[c].data(), lens->second.data());
+      problem_.SetManifold(intrinsics_[c].data(), new ceres::SubsetManifold(9, {8}));
+    }
+    for (auto& [number, lens] : lenses_)
+      problem_.SetManifold(lens.data(), new ceres::SubsetManifold(9, {8}));
+    addInsetPriors();
+    addBendPriors(corners);
+  }
+
+  void addBendPriors(const std::vector<PlateCorner>& corners) {
+    double half_diagonal = 1;
+    for (const PlateCorner& corner : corners)
+      half_diagonal = std::max(half_diagonal, corner.point.head<2>().norm());
+    for (SheetBend& bend : state_.bends) bend.reach_mm = half_diagonal;
+    std::vector<char> known(state_.print_errors_mm.size(), 0);
+    for (const PlateCorner& corner : corners) {
+      if (std::exchange(known[static_cast<std::size_t>(corner.plate_point)], 1) != 0) continue;
+      using Cost = ceres::AutoDiffCostFunction<BentPrintPrior, 3, 3, SheetBend::kTerms>;
+      problem_.AddResidualBlock(
+          new Cost(new BentPrintPrior{corner.point.x() / half_diagonal,
+                                      corner.point.y() / half_diagonal, options_.print_sd_mm}),
+          nullptr, state_.print_errors_mm[corner.plate_point].data(),
+          state_.bends[corner.side].coefficients_mm.data());
+    }
+    for (int s = 0; s < 2; ++s) {
+      if (!side_seen_[s]) continue;
+      if (options_.bend_sd_mm > 0) {
+        using Cost = ceres::AutoDiffCostFunction<BendPrior, SheetBend::kTerms, SheetBend::kTerms>;
+        problem_.AddResidualBlock(new Cost(new BendPrior{options_.bend_sd_mm}), nullptr,
+                                  state_.bends[s].coefficients_mm.data());
+      } else {
+        problem_.SetParameterBlockConstant(state_.bends[s].coefficients_mm.data());
+      }
+    }
+  }
+
+  void addPriors() {
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      addLensPrior(state_.cameras[c].intrinsics, intrinsics_[c]);
       problem_.AddParameterBlock(cameras_[c].data(), 6);
     }
+    addInsetPriors();
     for (Eigen::Vector3d& error : state_.print_errors_mm) {
       using Cost = ceres::AutoDiffCostFunction<PrintPrior, 3, 3>;
       problem_.AddResidualBlock(new Cost(new PrintPrior{options_.print_sd_mm}), nullptr,
@@ -253,6 +346,15 @@ class Adjustment {
   }
 
   void fixGauge() {
+    if (options_.cameras == Cameras::Separate) {  // the sheet itself is the frame
+      problem_.SetParameterBlockConstant(&state_.plate_scale);
+      for (int s = 0; s < 2; ++s) {
+        if (!side_seen_[s]) continue;
+        problem_.SetParameterBlockConstant(plates_[s].data());
+        problem_.SetParameterBlockConstant(&state_.angles_rad[s][0]);
+      }
+      return;
+    }
     problem_.SetParameterBlockConstant(&state_.angles_rad[0][0]);
     if (options_.cameras != Cameras::Known) {
       problem_.SetManifold(plates_[0].data(), new ceres::SubsetManifold(6, {2, 5}));
@@ -273,7 +375,7 @@ class Adjustment {
       RigState::Camera& camera = state_.cameras[c];
       camera.inset_px = insets_[c];
       if (options_.cameras != Cameras::Known) camera.camera_from_turntable = toPose(cameras_[c]);
-      if (options_.cameras != Cameras::Free) continue;
+      if (options_.cameras != Cameras::Free && options_.cameras != Cameras::Separate) continue;
       const IntrinsicsBlock& i = intrinsics_[c];
       camera.intrinsics.fx = i[0];
       camera.intrinsics.fy = i[1];
@@ -316,6 +418,7 @@ class Adjustment {
   std::array<PoseBlock, 2> plates_{};
   std::vector<double> insets_;
   std::array<bool, 2> side_seen_{};
+  std::map<int, IntrinsicsBlock> lenses_;  // Cameras::Separate
   ceres::Problem problem_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 
 namespace ostraka::rig {
 
@@ -26,8 +27,10 @@ struct RigState {
   std::array<Eigen::Isometry3d, 2> turntable_from_plate{Eigen::Isometry3d::Identity(),
                                                         Eigen::Isometry3d::Identity()};
   std::vector<Eigen::Isometry3d> camera_from_board;  ///< by board view
-  /// By plate point: how far a printed corner lies from where plate.json says, mm.
+  /// By plate point: how far a printed corner lies from where plate.json says, mm. With
+  /// Cameras::Separate plate points count per side, since a sheet lies otherwise each time.
   std::vector<Eigen::Vector3d> print_errors_mm;
+  std::array<SheetBend, 2> bends;  ///< by side; Cameras::Separate
   /// Size of the plate over that in plate.json, as known cameras see it; 1 where the cameras'
   /// places are estimated, since then the plate itself gives the scale.
   double plate_scale = 1;
@@ -54,13 +57,29 @@ struct BoardCorner {
 };
 
 /// Free: all is estimated; LensKnown: intrinsics are kept; Known: the cameras' poses as well.
-enum class Cameras { Free, LensKnown, Known };
+/// Separate: each photograph is a camera of its own that stands anywhere over a sheet at rest, with
+/// a lens tied to that of OwnLenses::lens_of_camera.
+enum class Cameras { Free, LensKnown, Known, Separate };
+
+/// What changes between photographs of one camera held by hand: autofocus moves the lens,
+/// stabilisation shifts it. Telephones: some 0.4 % and 3 px of 1600.
+struct OwnLenses {
+  std::vector<int>
+      lens_of_camera;            ///< by RigState::cameras; photographs of one lens share a number
+  double focal_sd = 0.005;       ///< relative
+  double centre_sd = 0.0025;     ///< of the principal point, in widths of the picture
+  double distortion_sd = 0.002;  ///< of k1 and k2; a tenth of it of p1 and p2
+};
 
 struct AdjustOptions {
   Cameras cameras = Cameras::Free;
   double table_repeatability_rad = 0.001;  ///< between the two sides' angles of a stop
   /// Printing, gluing and the plate's own flatness; what the pictures of a whole batch show of it.
   double print_sd_mm = 0.05;
+  /// Cameras::Separate: paper does not lie flat. Its height is a polynomial of degree 4 over the
+  /// sheet without a tilt, one per side, each coefficient with this standard deviation; 0: flat.
+  double bend_sd_mm = 0;
+  OwnLenses lenses;  ///< Cameras::Separate
   int max_rounds = 100;
 };
 

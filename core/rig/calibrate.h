@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -10,6 +11,7 @@
 #include "rig/camera.h"
 #include "rig/intrinsics.h"
 #include "rig/rig.h"
+#include "rig/sheet_bend.h"
 
 namespace ostraka::rig {
 
@@ -58,6 +60,7 @@ struct BatchPoses {
   /// By index of Plate::markers: the corners as the photographs have them, plate frame, mm, where
   /// at least two views see the marker.
   std::vector<std::optional<std::array<Eigen::Vector3d, 4>>> markers;
+  std::array<SheetBend, 2> bends;  ///< by side; of a sheet below free cameras, else flat
 };
 
 /// Intrinsics from the ChArUco photographs (from the plate's markers where there are none), poses

@@ -1,6 +1,6 @@
-// mask_accuracy BATCH [--no-empty] [--threads N] [--side S] [--dump FOLDER]: masks of a batch with
-// its true cameras, against the true masks: IoU and distance of the outline, per photograph, per
-// camera and in the mean.
+// mask_accuracy BATCH [--no-empty] [--threads N] [--side S] [--dump FOLDER] [--cameras
+// CAMERAS.json]: masks of a batch with its true cameras, or those of a file, against the true
+// masks: IoU and distance of the outline, per photograph, per camera and in the mean.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -67,7 +67,11 @@ struct Sum {
   }
 };
 
+// Of batches of a rig, or of photographs by hand.
 std::string maskName(const rig::PosedImage& image) {
+  const std::filesystem::path file = image.file;
+  if (!file.filename().string().starts_with("cam"))
+    return std::string(batch::name(image.side)) + "_" + file.stem().string() + ".png";
   char text[64];
   std::snprintf(text, sizeof text, "%s_cam%d_pos%02d.png", batch::name(image.side), image.camera,
                 image.stop);
@@ -85,14 +89,16 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   mask::PlateMaskOptions options;
   std::string dump, only;
+  std::filesystem::path cameras = folder / "truth" / "cameras.json";
   bool with_empty = true;
   for (int i = 2; i < argc; ++i) {
     if (std::strcmp(argv[i], "--no-empty") == 0) with_empty = false;
     if (std::strcmp(argv[i], "--threads") == 0) options.threads = std::atoi(argv[i + 1]);
     if (std::strcmp(argv[i], "--side") == 0) only = argv[i + 1];
     if (std::strcmp(argv[i], "--dump") == 0) dump = argv[i + 1];
+    if (std::strcmp(argv[i], "--cameras") == 0) cameras = argv[i + 1];
   }
-  const auto all = rig::readCameras(folder / "truth" / "cameras.json");
+  const auto all = rig::readCameras(cameras);
   const auto plate = batch::readPlate(folder / "plate.json");
   if (!all || !plate) return std::fprintf(stderr, "cannot read the batch\n"), 2;
   std::vector<cv::Mat> empties;

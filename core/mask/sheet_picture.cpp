@@ -1,0 +1,381 @@
+#include "mask/sheet_picture.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "base/median.h"
+#include "mask/bare_rows.h"
+#include "mask/plate_picture.h"
+#include "rig/marker_dictionary.h"
+
+namespace ostraka::mask {
+namespace {
+
+constexpr int kFiner = 3;      // drawn so much finer than the grid, then averaged
+constexpr int kFitStride = 3;  // the light bends slowly
+constexpr int kRounds = 2;     // tones and correction in turns; the second changes < 1 %
+constexpr float kPaper = 0.98F, kInk = 0.02F;
+// A stain or a crease is within these of the printed picture; clay and shadow mostly are not.
+constexpr Tolerance kStain{0.12F, 0.04F};
+
+constexpr std::size_t kFewestWitnesses = 4;
+constexpr double kAgreeing = 0.35;  // of the photographs that see a cell; others look past a sherd
+constexpr float kDeepest = -2.2F;   // log brightness: a tenth of the light is left in every shadow
+constexpr float kShadowTint = 0.15F;  // light of the sky or off a sherd, per 1 of darkening
+constexpr int kPatch = 9;             // cells: 3 mm
+constexpr float kWholePatch = 0.85F;
+
+using Basis = Eigen::Matrix<double, 6, 1>;
+
+Basis basisAt(double u, double v) {
+  Basis b;
+  b << 1, u, v, u * u, u * v, v * v;
+  return b;
+}
+
+// -1 .. 1 over the grid.
+float unit(float cell, int size) {
+  const float middle = 0.5F * static_cast<float>(size - 1);
+  return (cell - middle) / middle;
+}
+
+struct Logs {
+  std::array<float, 256> of{};
+  Logs() {
+    for (int i = 0; i < 256; ++i) of[static_cast<std::size_t>(i)] = std::log(i + kDarkLevel);
+  }
+  cv::Vec3f operator()(const cv::Vec3b& v) const { return {of[v[0]], of[v[1]], of[v[2]]}; }
+};
+
+bool seen(const cv::Vec3b& sample) {
+  return sample != cv::Vec3b(0, 0, 0);
+}
+
+cv::Vec3f mixture(float paper, const cv::Vec3f& ink) {
+  cv::Vec3f log;
+  for (int c = 0; c < 3; ++c) log[c] = std::log(paper + (1 - paper) * std::exp(ink[c]));
+  return log;
+}
+
+// Cells whose surroundings of 5 x 5 are all paper, or all ink.
+cv::Mat1b allOf(const cv::Mat1b& kind) {
+  cv::Mat1b whole;
+  cv::erode(kind, whole, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
+  return whole;
+}
+
+float brightness(const cv::Vec3f& v) {
+  return (v[0] + v[1] + v[2]) / 3;
+}
+
+/// What a fit of the paper's tone takes from one photograph.
+struct PaperSample {
+  Basis at;
+  cv::Vec3f colour;
+};
+
+// Sherds and shadows are darker than the paper around them more often than brighter, so what lies
+// below the fit loses its weight three times as soon. The scales shrink from all there is to the
+// grain of paper.
+SheetPicture::Tone fitPaper(const std::vector<PaperSample>& samples) {
+  SheetPicture::Tone tone;
+  Eigen::Matrix<double, 6, 3> fit = Eigen::Matrix<double, 6, 3>::Zero();
+  std::vector<float> level;
+  for (const PaperSample& s : samples) level.push_back(brightness(s.colour));
+  const auto upper = level.begin() + static_cast<std::ptrdiff_t>(level.size() * 3 / 4);
+  std::nth_element(level.begin(), upper, level.end());
+  // The start: the colour of what is brighter than three quarters, all over the sheet.
+  cv::Vec3d sum(0, 0, 0);
+  int count = 0;
+  for (const PaperSample& s : samples)
+    if (brightness(s.colour) >= *upper) sum += cv::Vec3d(s.colour), ++count;
+  for (int c = 0; c < 3; ++c) fit(0, c) = sum[c] / std::max(1, count);
+  for (const double scale : {0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.06, 0.06}) {
+    Eigen::Matrix<double, 6, 6> normal = 1e-3 * Eigen::Matrix<double, 6, 6>::Identity();
+    Eigen::Matrix<double, 6, 3> right = normal * fit;
+    for (const PaperSample& s : samples) {
+      const Eigen::Vector3d colour(s.colour[0], s.colour[1], s.colour[2]);
+      const Eigen::Vector3d rest = colour - fit.transpose() * s.at;
+      const double g = rest.mean();
+      const double along = g < 0 ? 3 * g / scale : g / scale;
+      const double across = 2 * (rest.array() - g).matrix().norm() / scale;
+      const double weight = 1 / (1 + along * along + across * across);
+      normal += weight * s.at * s.at.transpose();
+      right += weight * s.at * colour.transpose();
+    }
+    fit = normal.ldlt().solve(right);
+  }
+  for (int k = 0; k < 6; ++k)
+    for (int c = 0; c < 3; ++c)
+      tone.paper[static_cast<std::size_t>(k)][c] = static_cast<float>(fit(k, c));
+  return tone;
+}
+
+class SheetPainter {
+ public:
+  SheetPainter(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed)
+      : samples_(samples),
+        printed_(printed),
+        paper_(allOf(printed > kPaper)),
+        ink_(allOf((printed >= 0) & (printed < kInk))) {}
+
+  SheetPicture run() {
+    picture_.tones.resize(samples_.size());
+    picture_.correction = cv::Mat3f(printed_.size(), cv::Vec3f::all(0));
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t i = 0; i < samples_.size(); ++i) fitTone(i);
+      correct();
+    }
+    picture_.still_light = lightStandsStill();
+    if (picture_.still_light) shade();
+    return std::move(picture_);
+  }
+
+ private:
+  void fitTone(std::size_t i) {
+    std::vector<PaperSample> samples;
+    overCells(i, paper_, [&](int row, int column, const cv::Vec3f& colour) {
+      samples.push_back({basisAt(unit(static_cast<float>(column), printed_.cols),
+                                 unit(static_cast<float>(row), printed_.rows)),
+                         colour - picture_.correction(row, column)});
+    });
+    if (samples.size() < 100) return;
+    SheetPicture::Tone tone = fitPaper(samples);
+    std::vector<float> ink[3];
+    overCells(i, ink_, [&](int row, int column, const cv::Vec3f& colour) {
+      const cv::Vec3f rest = colour - paperAt(tone, row, column);
+      for (int c = 0; c < 3; ++c) ink[c].push_back(rest[c]);
+    });
+    if (ink[0].size() >= 50)
+      for (int c = 0; c < 3; ++c) tone.ink[c] = std::min(-0.1F, medianOf(ink[c]));
+    picture_.tones[i] = tone;
+  }
+
+  cv::Vec3f paperAt(const SheetPicture::Tone& tone, int row, int column) const {
+    return tone.paperAt(unit(static_cast<float>(column), printed_.cols),
+                        unit(static_cast<float>(row), printed_.rows));
+  }
+
+  template <class Body>
+  void overCells(std::size_t i, const cv::Mat1b& which, const Body& body) const {
+    for (int row = 0; row < which.rows; row += kFitStride)
+      for (int column = 0; column < which.cols; column += kFitStride) {
+        const cv::Vec3b& sample = samples_[i](row, column);
+        if (which(row, column) != 0 && seen(sample)) body(row, column, logs_(sample));
+      }
+  }
+
+  // The mean of what looks like the printed picture, drawn towards it by one look of its own.
+  void correct() {
+    for (int row = 0; row < printed_.rows; ++row)
+      for (int column = 0; column < printed_.cols; ++column) {
+        if (printed_(row, column) < 0) continue;
+        cv::Vec3f sum(0, 0, 0);
+        float total = 1;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+          const cv::Vec3b& sample = samples_[i](row, column);
+          if (!seen(sample)) continue;
+          const SheetPicture::Tone& tone = picture_.tones[i];
+          const cv::Vec3f rest =
+              logs_(sample) - paperAt(tone, row, column) - mixture(printed_(row, column), tone.ink);
+          const float w = bareWeight(rest, kStain);
+          sum += w * rest;
+          total += w;
+        }
+        picture_.correction(row, column) = sum * (1 / total);
+      }
+  }
+
+  // Of what is left of the paper's brightness, is more the cell's own, the same in all photographs,
+  // than the photographs'?
+  bool lightStandsStill() const {
+    if (samples_.size() < 3) return true;
+    double within = 0, between = 0;
+    for (int row = 0; row < printed_.rows; row += 2 * kFitStride)
+      for (int column = 0; column < printed_.cols; column += 2 * kFitStride) {
+        if (paper_(row, column) == 0) continue;
+        double n = 0, s = 0, ss = 0;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+          const cv::Vec3b& sample = samples_[i](row, column);
+          if (!seen(sample)) continue;
+          const double g = brightness(logs_(sample) - paperAt(picture_.tones[i], row, column));
+          if (std::abs(g) > 0.5) continue;
+          n += 1, s += g, ss += g * g;
+        }
+        if (n < 3) continue;
+        within += ss - s * s / n;
+        between += s * s / n;
+      }
+    return between >= within;
+  }
+
+  // A photograph's colour at a cell against the printed picture.
+  cv::Vec3f restAt(std::size_t i, int row, int column) const {
+    const SheetPicture::Tone& tone = picture_.tones[i];
+    return logs_(samples_[i](row, column)) - paperAt(tone, row, column) -
+           mixture(printed_(row, column), tone.ink) - picture_.correction(row, column);
+  }
+
+  // SD of the brightness of lit paper from photograph to photograph.
+  float grain() const {
+    std::vector<float> off;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      for (int row = 0; row < printed_.rows; row += 4 * kFitStride)
+        for (int column = 0; column < printed_.cols; column += 4 * kFitStride)
+          if (paper_(row, column) != 0 && seen(samples_[i](row, column)))
+            off.push_back(std::abs(brightness(restAt(i, row, column))));
+    return off.empty() ? 0.02F : std::max(0.005F, 1.4826F * medianOf(off));
+  }
+
+  // Where light stands still so do shadows: they lie on the sheet and darken a cell alike in every
+  // photograph that sees it. What stands above the sheet shows another of its points to each.
+  void shade() {
+    const float grain_sd = grain();
+    cv::Mat3f shades(printed_.size(), cv::Vec3f::all(0));
+    cv::Mat1b agreed(printed_.size(), uchar{0});
+    std::vector<cv::Vec3f> rests;
+    for (int row = 0; row < printed_.rows; ++row)
+      for (int column = 0; column < printed_.cols; ++column) {
+        if (printed_(row, column) < 0) continue;
+        rests.clear();
+        for (std::size_t i = 0; i < samples_.size(); ++i)
+          if (seen(samples_[i](row, column))) rests.push_back(restAt(i, row, column));
+        if (const auto shade = agreedShade(rests, grain_sd)) {
+          shades(row, column) = *shade;
+          agreed(row, column) = 255;
+        }
+      }
+    keepPatches(shades, agreed);
+    picture_.correction += shades;
+  }
+
+  // The value that most photographs agree on, where it is a shadow's.
+  static std::optional<cv::Vec3f> agreedShade(const std::vector<cv::Vec3f>& rests, float grain_sd) {
+    if (rests.size() < kFewestWitnesses) return std::nullopt;
+    std::size_t most = 0;
+    cv::Vec3f best(0, 0, 0);
+    for (const cv::Vec3f& middle : rests) {
+      const float g = brightness(middle);
+      // Encoded values stabilise noise: in the logarithm it grows as it gets darker.
+      const float reach = 3 * grain_sd * std::exp(-std::min(g, 0.F));
+      std::size_t count = 0;
+      cv::Vec3f sum(0, 0, 0);
+      for (const cv::Vec3f& other : rests) {
+        const cv::Vec3f d = other - middle;
+        if (std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) > reach) continue;
+        ++count;
+        sum += other;
+      }
+      if (count > most) most = count, best = sum * (1.F / static_cast<float>(count));
+    }
+    if (most < kFewestWitnesses || static_cast<double>(most) < kAgreeing * rests.size())
+      return std::nullopt;
+    const float g = brightness(best);
+    const cv::Vec3f tint = best - cv::Vec3f::all(g);
+    if (g > kStain.brightness || g < kDeepest ||
+        cv::norm(tint) > kStain.colour + kShadowTint * std::abs(g))
+      return std::nullopt;
+    return best;
+  }
+
+  // A shadow is smooth over millimetres; where single cells of a sherd agree by chance their
+  // neighbours do not.
+  static void keepPatches(cv::Mat3f& shades, const cv::Mat1b& agreed) {
+    cv::Mat1f share;
+    agreed.convertTo(share, CV_32F, 1 / 255.0);
+    cv::boxFilter(share, share, CV_32F, {kPatch, kPatch});
+    cv::Mat1b whole = share > kWholePatch;
+    cv::dilate(whole, whole, cv::getStructuringElement(cv::MORPH_RECT, {kPatch / 2, kPatch / 2}));
+    shades.setTo(cv::Scalar::all(0), ~(whole & agreed));
+  }
+
+  std::span<const cv::Mat3b> samples_;
+  const cv::Mat1f& printed_;
+  cv::Mat1b paper_, ink_;
+  Logs logs_;
+  SheetPicture picture_;
+};
+
+}  // namespace
+
+cv::Vec3f SheetPicture::Tone::paperAt(float u, float v) const {
+  return paper[0] + u * paper[1] + v * paper[2] + u * u * paper[3] + u * v * paper[4] +
+         v * v * paper[5];
+}
+
+Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid) {
+  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(plate.dictionary);
+  if (!dictionary) return dictionary.error();
+  const int size = grid.size * kFiner;
+  cv::Mat1b fine(size, size, uchar{255});
+  constexpr int kShift = 4;  // sixteenths of a fine cell
+  const auto place = [&](const Eigen::Vector2d& p_mm) {
+    const Eigen::Vector2d cell =
+        p_mm / grid.pitch_mm + Eigen::Vector2d::Constant(grid.middle());  // of the grid
+    const Eigen::Vector2d fine_cell = (cell.array() + 0.5) * kFiner - 0.5;
+    return cv::Point(cvRound(fine_cell.x() * (1 << kShift)),
+                     cvRound(fine_cell.y() * (1 << kShift)));
+  };
+  const int modules = (*dictionary)->markerSize + 2;
+  for (const batch::Marker& marker : plate.markers) {
+    cv::Mat bits;
+    (*dictionary)->drawMarker(marker.id, modules, bits, 1);
+    const auto at = [&](int column, int row) {
+      const double u = static_cast<double>(column) / modules,
+                   v = static_cast<double>(row) / modules;
+      const Eigen::Vector3d p = (1 - v) * ((1 - u) * marker.corners[0] + u * marker.corners[1]) +
+                                v * ((1 - u) * marker.corners[3] + u * marker.corners[2]);
+      return place(p.head<2>());
+    };
+    for (int row = 0; row < modules; ++row)
+      for (int column = 0; column < modules; ++column) {
+        if (bits.at<std::uint8_t>(row, column) >= 128) continue;
+        const std::vector<cv::Point> cell = {at(column, row), at(column + 1, row),
+                                             at(column + 1, row + 1), at(column, row + 1)};
+        cv::fillConvexPoly(fine, cell, cv::Scalar(0), cv::LINE_8, kShift);
+      }
+  }
+  cv::Mat small;
+  cv::resize(fine, small, {grid.size, grid.size}, 0, 0, cv::INTER_AREA);
+  cv::Mat1f printed;
+  small.convertTo(printed, CV_32F, 1 / 255.0);
+  const Eigen::AlignedBox2d& sheet = *plate.sheet;
+  for (int row = 0; row < grid.size; ++row)
+    for (int column = 0; column < grid.size; ++column)
+      if (!sheet.contains(grid.pitch_mm *
+                          Eigen::Vector2d(column - grid.middle(), row - grid.middle())))
+        printed(row, column) = -1;
+  return printed;
+}
+
+SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed) {
+  return SheetPainter(samples, printed).run();
+}
+
+cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const cv::Mat1f& printed,
+                           const cv::Mat2f& grid_of_pixel, cv::Mat1b& known) {
+  const SheetPicture::Tone& tone = picture.tones[index];
+  cv::Mat1f paper;
+  cv::Mat3f bare;
+  cv::remap(printed, paper, grid_of_pixel, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT,
+            cv::Scalar::all(-1));
+  cv::remap(picture.correction, bare, grid_of_pixel, cv::noArray(), cv::INTER_LINEAR,
+            cv::BORDER_CONSTANT, cv::Scalar::all(0));
+  known.create(paper.size());
+  for (int y = 0; y < bare.rows; ++y)
+    for (int x = 0; x < bare.cols; ++x) {
+      known(y, x) = paper(y, x) >= 0 ? 255 : 0;
+      const cv::Vec2f& cell = grid_of_pixel(y, x);
+      if (known(y, x) == 0)
+        bare(y, x) = cv::Vec3f::all(0);
+      else
+        bare(y, x) += tone.paperAt(unit(cell[0], printed.cols), unit(cell[1], printed.rows)) +
+                      mixture(paper(y, x), tone.ink);
+    }
+  return bare;
+}
+
+}  // namespace ostraka::mask

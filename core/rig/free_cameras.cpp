@@ -1,0 +1,337 @@
+#include "rig/free_cameras.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "base/median.h"
+#include "base/text.h"
+#include "batch/exif.h"
+#include "rig/batch_corners.h"
+#include "rig/bundle_adjustment.h"
+#include "rig/held_out.h"
+#include "rig/view_pose.h"
+
+namespace ostraka::rig {
+namespace {
+
+constexpr int kFewestViews = 3;
+constexpr double kBend = 0.02;       // of the sheet's half diagonal: 3.6 mm for A4
+constexpr double kNamedBend_mm = 1;  // a sheet this flat harms nothing
+
+class FreePoser {
+ public:
+  FreePoser(const batch::Batch& batch, const PoseOptions& options, Progress& progress,
+            std::stop_token stop)
+      : batch_(batch), options_(options), progress_(progress), stop_(std::move(stop)) {}
+
+  Result<BatchPoses> run() {
+    if (!batch_.plate)
+      return Error{ErrorCode::NotEnough,
+                   "There is no plate.json that describes the sheet, so its markers cannot be "
+                   "used; name it with --sheet, or copy it beside the photographs.",
+                   batch_.folder.string()};
+    Result<std::vector<ShotMarkers>> shots =
+        findBatchMarkers(batch_, options_.threads, progress_, stop_);
+    if (!shots) return shots.error();
+    for (const ShotMarkers& shot : *shots) {
+      if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
+      markers_.push_back(placed(shot.markers, *batch_.plate));
+      readable_.push_back(shot.unreadable.empty());
+    }
+    groupLenses();
+    if (const Result<void> found = findStart(); !found) return found.error();
+    if (const Result<void> done = adjustOnce(1); !done) return done.error();
+    dropOutliers();
+    if (const Result<void> done = adjustOnce(sdScale()); !done) return done.error();
+    if (const Result<void> done = holdOut(); !done) return done.error();
+    return poses();
+  }
+
+ private:
+  void warn(const std::string& text) {
+    out_.warnings.push_back(text);
+    progress_.note(NoteLevel::Warning, text);
+  }
+  void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
+
+  int sideOf(std::size_t shot) const {
+    return batch_.shots[shot].side == batch::Side::Front ? 0 : 1;
+  }
+  int platePoints() const { return static_cast<int>(4 * batch_.plate->markers.size()); }
+
+  // By size, model and focal length, in the order of the photographs.
+  void groupLenses() {
+    std::map<std::tuple<int, int, std::string, double>, int> numbers;
+    for (const batch::Shot& shot : batch_.shots) {
+      const batch::Exif exif = batch::readExif(shot.file);
+      const auto [lens, first] = numbers.try_emplace(
+          {shot.width, shot.height, exif.make + exif.model, exif.focal_length_mm.value_or(0)},
+          static_cast<int>(numbers.size()));
+      lens_.push_back(lens->second);
+      if (!first) continue;
+      CameraFindings& found = out_.cameras.emplace_back();
+      found.camera = lens->second;
+      found.width = shot.width;
+      found.height = shot.height;
+    }
+  }
+
+  Result<Intrinsics> lensFromMarkers(int lens) const {
+    std::vector<TargetView> views;
+    int width = 0, height = 0;
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (lens_[i] != lens) continue;
+      width = batch_.shots[i].width;
+      height = batch_.shots[i].height;
+      if (markers_[i].size() < 4) continue;
+      TargetView& view = views.emplace_back();
+      view.file = batch_.shots[i].file.string();
+      for (const PlacedMarker& marker : markers_[i])
+        for (int c = 0; c < 4; ++c) {
+          view.points.push_back(marker.corners[c]);
+          view.pixels.push_back(marker.seen.corners[c]);
+        }
+    }
+    Result<IntrinsicsReport> report = calibrateIntrinsics(views, width, height);
+    if (!report) report = intrinsicsFromPlate(views, width, height);
+    if (!report) return report.error();
+    return report->intrinsics;
+  }
+
+  Result<void> findStart() {
+    std::vector<std::optional<Intrinsics>> lenses;
+    for (std::size_t k = 0; k < out_.cameras.size(); ++k) {
+      const Result<Intrinsics> lens = lensFromMarkers(static_cast<int>(k));
+      lenses.push_back(lens ? std::optional(*lens) : std::nullopt);
+    }
+    dropped_.resize(markers_.size());
+    camera_of_.assign(markers_.size(), -1);
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      dropped_[i].assign(markers_[i].size(), 0);
+      const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(lens_[i])];
+      const auto pose = lens ? poseFromMarkers(markers_[i], *lens) : std::nullopt;
+      if (!pose) {
+        if (readable_[i]) warn(unposed(i));
+        continue;
+      }
+      for (std::size_t m = 0; m < markers_[i].size(); ++m)
+        if (!pose->agrees[m]) drop(i, m, "it lies elsewhere than the others say");
+      camera_of_[i] = static_cast<int>(state_.cameras.size());
+      RigState::Camera& camera = state_.cameras.emplace_back();
+      camera.intrinsics = *lens;
+      camera.camera_from_turntable = pose->camera_from_plate;
+      lens_of_camera_.push_back(lens_[i]);
+    }
+    for (std::vector<double>& angles : state_.angles_rad) angles = {0};
+    state_.print_errors_mm.assign(static_cast<std::size_t>(2 * platePoints()),
+                                  Eigen::Vector3d::Zero());
+    return enoughViews();
+  }
+
+  std::string unposed(std::size_t shot) const {
+    return batch_.shots[shot].file.string() + ": " + std::to_string(markers_[shot].size()) +
+           " of the sheet's markers can be read in it, too few for a pose; it is left out.";
+  }
+
+  Result<void> enoughViews() const {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      int shots = 0, posed = 0;
+      for (std::size_t i = 0; i < markers_.size(); ++i) {
+        if (batch_.shots[i].side != side) continue;
+        ++shots;
+        posed += camera_of_[i] >= 0 ? 1 : 0;
+      }
+      if (shots == 0 || posed >= kFewestViews) continue;
+      return Error{ErrorCode::NotEnough,
+                   "The sheet's markers can be read in " + std::to_string(posed) + " of " +
+                       std::to_string(shots) + " photographs of the " + batch::name(side) +
+                       " side; at least 3 are needed. Check that plate.json describes this sheet, "
+                       "that the photographs are not mirrored, and that most of the markers are "
+                       "in the picture.",
+                   batch_.folder.string()};
+    }
+    return {};
+  }
+
+  void drop(std::size_t shot, std::size_t marker, const std::string& reason) {
+    dropped_[shot][marker] = 1;
+    inform("rig: marker " + std::to_string(markers_[shot][marker].seen.id) + " in " +
+           batch_.shots[shot].file.string() + " is not used: " + reason);
+  }
+
+  void append(std::vector<PlateCorner>& corners, std::size_t shot, const PlacedMarker& marker,
+              double sd_scale) const {
+    const Quad outward = outwardPerPixel(marker.seen.corners);
+    const int first = sideOf(shot) * platePoints() + static_cast<int>(marker.plate_index * 4);
+    for (int c = 0; c < 4; ++c)
+      corners.push_back({camera_of_[shot], sideOf(shot), 0, first + c, marker.corners[c],
+                         marker.seen.corners[c], outward[c], marker.seen.sd_px * sd_scale});
+  }
+
+  std::vector<PlateCorner> sheetCorners(double sd_scale) const {
+    std::vector<PlateCorner> corners;
+    for (std::size_t i = 0; i < markers_.size(); ++i)
+      for (std::size_t m = 0; camera_of_[i] >= 0 && m < markers_[i].size(); ++m)
+        if (!dropped_[i][m]) append(corners, i, markers_[i][m], sd_scale);
+    return corners;
+  }
+
+  AdjustOptions adjustOptions() const {
+    AdjustOptions options;
+    options.cameras = Cameras::Separate;
+    options.lenses.lens_of_camera = lens_of_camera_;
+    double half_diagonal = 0;
+    for (const batch::Marker& marker : batch_.plate->markers)
+      for (const Eigen::Vector3d& corner : marker.corners)
+        half_diagonal = std::max(half_diagonal, corner.head<2>().norm());
+    options.bend_sd_mm = kBend * half_diagonal;
+    return options;
+  }
+
+  Result<void> adjustOnce(double sd_scale) {
+    if (stop_.stop_requested()) return Error::cancelled();
+    Result<RigState> state = adjust(state_, sheetCorners(sd_scale), {}, adjustOptions());
+    if (!state) return state.error();
+    state_ = std::move(*state);
+    return {};
+  }
+
+  // How far residuals really scatter against what was expected of them.
+  double sdScale() const {
+    std::vector<double> ratios;
+    for (const PlateCorner& corner : sheetCorners(1)) {
+      const Eigen::Vector2d r = residual(state_, corner) / corner.sd_px;
+      ratios.push_back(std::abs(r.x()));
+      ratios.push_back(std::abs(r.y()));
+    }
+    return std::max(0.2, 1.4826 * medianOf(ratios));
+  }
+
+  double markerError(std::size_t shot, const PlacedMarker& marker) const {
+    std::vector<PlateCorner> corners;
+    append(corners, shot, marker, 1);
+    double sum = 0;
+    for (const PlateCorner& corner : corners) sum += residual(state_, corner).squaredNorm();
+    return std::sqrt(sum / 4);
+  }
+
+  // Covered in part or foreign: beyond six standard deviations and half a pixel.
+  void dropOutliers() {
+    const double scale = sdScale();
+    for (std::size_t i = 0; i < markers_.size(); ++i)
+      for (std::size_t m = 0; camera_of_[i] >= 0 && m < markers_[i].size(); ++m) {
+        if (dropped_[i][m]) continue;
+        const double error = markerError(i, markers_[i][m]);
+        if (error > std::max(0.5, 6 * scale * markers_[i][m].seen.sd_px))
+          drop(i, m, "it misses its place by " + fixed(error, 2) + " px");
+      }
+  }
+
+  // Distances that the fit does not know, side by side: the adjustment once more without four
+  // markers.
+  Result<void> holdOut() {
+    const std::vector<PlateCorner> corners = sheetCorners(sdScale());
+    for (int side = 0; side < 2; ++side) {
+      std::vector<PlateCorner> own;
+      for (PlateCorner corner : corners) {
+        if (corner.side != side) continue;
+        corner.plate_point -= side * platePoints();
+        own.push_back(corner);
+      }
+      const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, own);
+      if (chosen.empty()) continue;
+      std::vector<PlateCorner> others;
+      for (const PlateCorner& corner : corners) {
+        const int marker = (corner.plate_point - corner.side * platePoints()) / 4;
+        if (corner.side != side || std::find(chosen.begin(), chosen.end(), marker) == chosen.end())
+          others.push_back(corner);
+      }
+      if (stop_.stop_requested()) return Error::cancelled();
+      const Result<RigState> state = adjust(state_, others, {}, adjustOptions());
+      if (!state) return state.error();
+      for (const HeldOutDistance& d : heldOutDistances(*batch_.plate, chosen, *state, own)) {
+        out_.held_out.push_back(d);
+        if (const std::optional<std::string> doubt = scaleDoubt(d))
+          warn(*doubt);
+        else
+          inform("rig: " + sentence(d));
+      }
+    }
+    return {};
+  }
+
+  // How far the sheet of a side leaves its plane where its corners were seen.
+  double bendOf(int side) const {
+    double most = 0;
+    for (const PlateCorner& corner : sheetCorners(1))
+      if (corner.side == side)
+        most = std::max(
+            most,
+            std::abs(state_.print_errors_mm[static_cast<std::size_t>(corner.plate_point)].z()));
+    return most;
+  }
+
+  Result<BatchPoses> poses() {
+    double sum = 0, count = 0;
+    std::vector<std::vector<double>> residuals(out_.cameras.size());
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (camera_of_[i] < 0) continue;
+      const RigState::Camera& camera = state_.cameras[static_cast<std::size_t>(camera_of_[i])];
+      const batch::Shot& shot = batch_.shots[i];
+      double squares = 0;
+      int used = 0;
+      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
+        if (dropped_[i][m]) continue;
+        const double error = markerError(i, markers_[i][m]);
+        squares += 4 * error * error;
+        residuals[static_cast<std::size_t>(lens_[i])].push_back(error);
+        ++used;
+      }
+      sum += squares;
+      count += 4 * used;
+      out_.images.push_back({shot.file.string(), shot.side, shot.camera, shot.stop,
+                             camera.intrinsics, camera.camera_from_turntable});
+      out_.rms_per_image_px.push_back(used > 0 ? std::sqrt(squares / (4 * used)) : 0);
+      out_.markers_per_image.push_back(used);
+    }
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      out_.cameras[k].marker_corners = static_cast<int>(4 * residuals[k].size());
+      out_.cameras[k].median_residual_px = medianOf(residuals[k]);
+    }
+    out_.bends = state_.bends;
+    out_.reprojection_rms_px = count > 0 ? std::sqrt(sum / count) : 0;
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+      if (const double bend = bendOf(side == batch::Side::Front ? 0 : 1); bend > kNamedBend_mm)
+        inform("rig: the sheet of the " + std::string(batch::name(side)) +
+               " side is bent by up to " + fixed(bend, 1) + " mm; this is allowed for");
+    inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +
+           " marker corners in " + std::to_string(out_.images.size()) +
+           " photographs taken by hand");
+    return std::move(out_);
+  }
+
+  const batch::Batch& batch_;
+  const PoseOptions& options_;
+  Progress& progress_;
+  std::stop_token stop_;
+  std::vector<std::vector<PlacedMarker>> markers_;  // by shot
+  std::vector<char> readable_;                      // by shot
+  std::vector<std::vector<char>> dropped_;          // by shot and marker
+  std::vector<int> lens_;                           // by shot
+  std::vector<int> camera_of_;                      // by shot: index in state_.cameras, or -1
+  std::vector<int> lens_of_camera_;                 // by index in state_.cameras
+  RigState state_;
+  BatchPoses out_;
+};
+
+}  // namespace
+
+Result<BatchPoses> poseFreeCameras(const batch::Batch& batch, const PoseOptions& options,
+                                   Progress& progress, std::stop_token stop) {
+  if (const Result<void> good = options.check(); !good) return good.error();
+  return FreePoser(batch, options, progress, std::move(stop)).run();
+}
+
+}  // namespace ostraka::rig

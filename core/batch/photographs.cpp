@@ -307,7 +307,7 @@ Result<void> readDescriptions(const std::vector<fs::path>& plates, const ReadBat
     batch.plate_file = options.sheet ? wholePath(*options.sheet) : *found;
     Result<Plate> plate = readPlate(batch.plate_file);
     if (!plate) return plate.error();
-    batch.plate = std::move(*plate);
+    batch.plate = batch.way == Way::FreeCamera ? asSheet(std::move(*plate)) : std::move(*plate);
   }
   if (const fs::path file = batch.folder / "board.json"; fs::exists(file, ignored)) {
     Result<Board> board = readBoard(file);

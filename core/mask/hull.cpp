@@ -74,7 +74,8 @@ std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const Hul
 Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
                             const HullView& view, const HullOptions& options) {
   cv::Mat1b mask(view.clear.size(), uchar{0});
-  cv::Mat1f near(view.clear.size(), std::numeric_limits<float>::max()), far(near.size(), 0.F);
+  cv::Mat1f near(view.clear.size(), std::numeric_limits<float>::max()), far(near.size(), 0.F),
+      height(near.size(), 0.F);
   const rig::PosedImage& image = *view.image;
   const Eigen::Vector3i n = space.count;
   for (int z = 0; z < n.z(); ++z)
@@ -100,13 +101,14 @@ Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned c
             if (away >= near(v, u)) continue;
             near(v, u) = away;
             mask(v, u) = value;
+            height(v, u) = static_cast<float>((z + 0.5) * space.pitch);
           }
       }
   cv::Mat1f depth(mask.size(), 0.F);
   for (int v = 0; v < mask.rows; ++v)
     for (int u = 0; u < mask.cols; ++u)
       if (mask(v, u) != 0) depth(v, u) = far(v, u) - near(v, u);
-  return {mask, depth};
+  return {mask, depth, height};
 }
 
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area) {

@@ -36,8 +36,9 @@ std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const Hul
 
 /// How the hull shows in a view, reduced; grown by half a voxel.
 struct Silhouette {
-  cv::Mat1b group;  ///< the value of the nearest voxel, 0 where there is none
-  cv::Mat1f depth;  ///< from the nearest voxel to the farthest, in the cameras' unit
+  cv::Mat1b group;   ///< the value of the nearest voxel, 0 where there is none
+  cv::Mat1f depth;   ///< from the nearest voxel to the farthest, in the cameras' unit
+  cv::Mat1f height;  ///< of the nearest voxel above the space's floor; 0 where there is none
 };
 Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
                             const HullView& view, const HullOptions& options);

@@ -1,7 +1,6 @@
 #include "mask/plate_mask.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
@@ -17,6 +16,7 @@
 #include "mask/plate_agreement.h"
 #include "mask/plate_picture.h"
 #include "mask/raised.h"
+#include "mask/ring_agreement.h"
 #include "mask/sheet_picture.h"
 
 namespace ostraka::mask {
@@ -35,8 +35,11 @@ struct ViewState {
 };
 
 constexpr float kDarkened = 0.25F;  // log brightness: a fifth of the light is missing
-constexpr double kAround = 6;       // mm beside a sherd: its own shadow is darkest there
-constexpr double kStrange = 0.03;   // share of the bare plate: more than what poses and grain do
+constexpr float kSlackVoxels = 1.5F, kPerVoxel = 2, kMostHullOdds = 4;  // see trustHull
+constexpr double kCarvingShare =
+    0.15;                          // of the photographs; of the others some see a shadow as sherd
+constexpr double kAround = 6;      // mm beside a sherd: its own shadow is darkest there
+constexpr double kStrange = 0.03;  // share of the bare plate: more than what poses and grain do
 
 Result<void> checkInput(std::span<const rig::PosedImage> images,
                         std::span<const cv::Mat> photographs) {
@@ -57,47 +60,6 @@ Result<void> checkInput(std::span<const rig::PosedImage> images,
                    "The photograph is not of the size that its camera has; use the original file.",
                    images[i].file};
   return {};
-}
-
-// Sums of a correlation.
-struct Correlation {
-  double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
-  void add(double a, double b) {
-    n += 1, sx += a, sy += b, sxx += a * a, syy += b * b, sxy += a * b;
-  }
-  double value() const {
-    const double vx = n * sxx - sx * sx, vy = n * syy - sy * sy;
-    return vx > 0 && vy > 0 ? (n * sxy - sx * sy) / std::sqrt(vx * vy) : 0;
-  }
-};
-
-// Correlation of the empty photograph with the stop's own marker ring: tells whether the plate
-// stood at stop 0 when it was taken.
-struct RingAgreement {
-  double whole = 0;
-  double typical = 0;  ///< median over pieces of the ring: a cloth on some markers leaves it high
-};
-
-RingAgreement ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const cv::Mat1b& paper) {
-  constexpr int kPieces = 16;
-  Correlation whole;
-  std::array<Correlation, kPieces> pieces;
-  const double middle_row = 0.5 * (paper.rows - 1), middle_column = 0.5 * (paper.cols - 1);
-  for (int row = 0; row < paper.rows; row += 2)
-    for (int column = 0; column < paper.cols; column += 2) {
-      if (paper(row, column) == 0) continue;
-      const cv::Vec2f p = look.pixel_of_cell(row, column);
-      const cv::Point pixel(cvRound(p[0]), cvRound(p[1]));
-      if (!cv::Rect({0, 0}, empty.size()).contains(pixel)) continue;
-      const double turn = std::atan2(row - middle_row, column - middle_column) / (2 * M_PI) + 0.5;
-      const double a = empty(pixel)[1], b = look.log_colours(pixel)[1];
-      whole.add(a, b);
-      pieces[static_cast<std::size_t>(kPieces * turn) % kPieces].add(a, b);
-    }
-  std::vector<double> values;
-  for (const Correlation& piece : pieces)
-    if (piece.n > 0) values.push_back(piece.value());
-  return {whole.value(), values.empty() ? 0 : medianOf(std::move(values))};
 }
 
 cv::Mat1b insideMarkers(const PlateLook& look, const PlateGrid& grid) {
@@ -151,6 +113,11 @@ class PlateMasker {
     overViews(&PlateMasker::askOthers);
     if (!stop.stop_requested()) learnColours();
     overViews(&PlateMasker::cutView);
+    if (plate_.sheet && still_light_ && !stop.stop_requested()) {
+      carveByMasks(stop);
+      overViews(&PlateMasker::showHull);
+      overViews(&PlateMasker::cutView);
+    }
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(total, total);
     return std::move(result_);
@@ -341,6 +308,27 @@ class PlateMasker {
     return groups > 0;
   }
 
+  // Where light stands still, shadows last, and the first hull holds them too. What most of the
+  // photographs took for shadow by its colour leaves the hull of the masks.
+  void carveByMasks(const std::stop_token& stop) {
+    std::vector<HullView> views;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      HullView view{&images_[i], {}, {}};
+      const cv::Mat1b& mask = result_.masks[i];
+      cv::Mat small;
+      cv::resize(mask, small, {mask.cols / hull_.reduction, mask.rows / hull_.reduction}, 0, 0,
+                 cv::INTER_AREA);
+      small.convertTo(view.inside, CV_32F, 1 / 255.0);
+      view.clear = 1 - view.inside;
+      view.clear.setTo(0, views_[i].plate == 0);
+      views.push_back(std::move(view));
+    }
+    hull_.carving_views = std::max(2.0, kCarvingShare * static_cast<double>(views.size()));
+    voxels_ = carveHull(space_, views, hull_, stop);
+    dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
+    masks_known_ = true;
+  }
+
   bool reachesTop() const {
     const auto layer = static_cast<std::ptrdiff_t>(space_.count.x()) * space_.count.y();
     return std::any_of(voxels_.end() - layer, voxels_.end(), [](auto voxel) { return voxel != 0; });
@@ -353,11 +341,23 @@ class PlateMasker {
     view.group = shown.group;
     view.depth = shown.depth;
     view.hull.inside.release();
-    view.hull.clear.release();
     cv::Mat1b silhouette;
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
     cv::dilate(silhouette, view.allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+    if (masks_known_ || !plate_.sheet || !still_light_) trustHull(view, shown.height);
+  }
+
+  // The hull is a voxel or two too wide, and above a lasting shadow a few voxels high. Where it is
+  // deeper and higher there is a sherd: a shadow would have to be seen through all of it. Black
+  // clay looks like nothing else but a shadow.
+  void trustHull(ViewState& view, const cv::Mat1f& height) const {
+    cv::Mat1f voxels = cv::min(view.depth, height) / space_.pitch, full;
+    cv::resize(voxels, full, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+    for (int y = 0; y < full.rows; ++y)
+      for (int x = 0; x < full.cols; ++x)
+        view.log_odds(y, x) +=
+            std::clamp(kPerVoxel * (full(y, x) - kSlackVoxels), 0.F, kMostHullOdds);
   }
 
   // The share of the plate away from sherds that is darker than the camera's other stops explain.
@@ -428,16 +428,17 @@ class PlateMasker {
     cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
     // Colours spoke twice, by themselves and as learnt; a grey sherd's are a shadow's both times.
     // Only what surely stands high: near the foot the windows reach over the outline.
-    cv::Mat1f surely;
-    cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
-    view.log_odds += heightsInTheLight(surely, view.residual);
+    if (!masks_known_) {
+      cv::Mat1f surely;
+      cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
+      view.log_odds += heightsInTheLight(surely, view.residual);
+    }
     const cv::Mat1b cut = cutOutline(view.log_odds, view.allowed, view.residual, cut_options);
     // The plate's z axis in the camera's frame, as it shows in the picture.
     const Eigen::Vector3d z = images_[index].camera_from_plate.linear().col(2);
     const cv::Vec2f up(static_cast<float>(z.x()), static_cast<float>(z.y()));
     result_.masks[index] =
         refineOutline(softenOutline(cut, photographs_[index]), photographs_[index], up);
-    view.log_odds.release();
   }
 
   // Whether the hull leaves the plate bare here: its lowest layer is empty.
@@ -469,7 +470,8 @@ class PlateMasker {
   HullOptions hull_;
   HullSpace space_;
   std::vector<unsigned char> voxels_;
-  bool still_light_ = true;  ///< on a sheet; at a stop of a rig it is
+  bool still_light_ = true;   ///< on a sheet; at a stop of a rig it is
+  bool masks_known_ = false;  ///< the hull is that of the masks so far
   MaskResult result_;
 };
 

@@ -21,12 +21,14 @@ constexpr float kPaper = 0.98F, kInk = 0.02F;
 // A stain or a crease is within these of the printed picture; clay and shadow mostly are not.
 constexpr Tolerance kStain{0.12F, 0.04F};
 
-constexpr std::size_t kFewestWitnesses = 4;
-constexpr double kAgreeing = 0.35;  // of the photographs that see a cell; others look past a sherd
-constexpr float kDeepest = -2.2F;   // log brightness: a tenth of the light is left in every shadow
-constexpr float kShadowTint = 0.15F;  // light of the sky or off a sherd, per 1 of darkening
-constexpr int kPatch = 9;             // cells: 3 mm
-constexpr float kWholePatch = 0.85F;
+constexpr int kFewestWitnesses = 4;
+constexpr double kSomeAgree = 0.2;  // of the photographs that see a place; others look past a sherd
+constexpr double kMostAgree = 0.5;  // where noise and the grain of dark clay are hard to tell apart
+constexpr float kDark = -0.9F;
+constexpr float kDeepest = -2.2F;    // log brightness: a tenth of the light is left in every shadow
+constexpr float kShadowTint = 0.5F;  // light of the sky or off a sherd, per 1 of darkening
+constexpr int kWindow = 5;           // of half the cells: 3 mm
+constexpr short kUnseen = 32767;
 
 using Basis = Eigen::Matrix<double, 6, 1>;
 
@@ -230,66 +232,95 @@ class SheetPainter {
     return off.empty() ? 0.02F : std::max(0.005F, 1.4826F * medianOf(off));
   }
 
-  // Where light stands still so do shadows: they lie on the sheet and darken a cell alike in every
-  // photograph that sees it. What stands above the sheet shows another of its points to each.
+  // Where light stands still so do shadows: they lie on the sheet and darken it alike in every
+  // photograph that sees the place. What stands above the sheet shows another of its places to
+  // each, and its grain tells.
   void shade() {
     const float grain_sd = grain();
-    cv::Mat3f shades(printed_.size(), cv::Vec3f::all(0));
-    cv::Mat1b agreed(printed_.size(), uchar{0});
-    std::vector<cv::Vec3f> rests;
-    for (int row = 0; row < printed_.rows; ++row)
-      for (int column = 0; column < printed_.cols; ++column) {
-        if (printed_(row, column) < 0) continue;
-        rests.clear();
-        for (std::size_t i = 0; i < samples_.size(); ++i)
-          if (seen(samples_[i](row, column))) rests.push_back(restAt(i, row, column));
-        if (const auto shade = agreedShade(rests, grain_sd)) {
-          shades(row, column) = *shade;
-          agreed(row, column) = 255;
-        }
-      }
-    keepPatches(shades, agreed);
-    picture_.correction += shades;
-  }
-
-  // The value that most photographs agree on, where it is a shadow's.
-  static std::optional<cv::Vec3f> agreedShade(const std::vector<cv::Vec3f>& rests, float grain_sd) {
-    if (rests.size() < kFewestWitnesses) return std::nullopt;
-    std::size_t most = 0;
-    cv::Vec3f best(0, 0, 0);
-    for (const cv::Vec3f& middle : rests) {
-      const float g = brightness(middle);
-      // Encoded values stabilise noise: in the logarithm it grows as it gets darker.
-      const float reach = 3 * grain_sd * std::exp(-std::min(g, 0.F));
-      std::size_t count = 0;
-      cv::Vec3f sum(0, 0, 0);
-      for (const cv::Vec3f& other : rests) {
-        const cv::Vec3f d = other - middle;
-        if (std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) > reach) continue;
-        ++count;
-        sum += other;
-      }
-      if (count > most) most = count, best = sum * (1.F / static_cast<float>(count));
+    const int rows = (printed_.rows + 1) / 2, columns = (printed_.cols + 1) / 2;
+    // Every second cell of every second row: shadows are smooth. Thousandths.
+    std::vector<cv::Mat_<cv::Vec3s>> rests;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      rests.emplace_back(rows, columns, cv::Vec3s(kUnseen, kUnseen, kUnseen));
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+          if (printed_(2 * row, 2 * column) >= 0 && seen(samples_[i](2 * row, 2 * column)))
+            rests[i](row, column) = restAt(i, 2 * row, 2 * column) * 1000;
     }
-    if (most < kFewestWitnesses || static_cast<double>(most) < kAgreeing * rests.size())
-      return std::nullopt;
-    const float g = brightness(best);
-    const cv::Vec3f tint = best - cv::Vec3f::all(g);
-    if (g > kStain.brightness || g < kDeepest ||
-        cv::norm(tint) > kStain.colour + kShadowTint * std::abs(g))
-      return std::nullopt;
-    return best;
+    const std::vector<cv::Mat1b> counts = agreeingPhotographs(rests, grain_sd);
+    cv::Mat3f shades(rows, columns, cv::Vec3f::all(0));
+    cv::Mat1f agreed(rows, columns, 0.F);
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        if (const auto shade = shadeAt(rests, counts, row, column)) {
+          shades(row, column) = *shade;
+          agreed(row, column) = 1;
+        }
+    // A photograph's own noise goes; the edge of what agreed stays.
+    cv::boxFilter(shades, shades, CV_32F, {3, 3}, {-1, -1}, false);
+    cv::Mat1f weight;
+    cv::boxFilter(agreed, weight, CV_32F, {3, 3}, {-1, -1}, false);
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        shades(row, column) *= agreed(row, column) / std::max(1.F, weight(row, column));
+    for (int row = 0; row < printed_.rows; ++row)
+      for (int column = 0; column < printed_.cols; ++column)
+        picture_.correction(row, column) += shades(row / 2, column / 2);
   }
 
-  // A shadow is smooth over millimetres; where single cells of a sherd agree by chance their
-  // neighbours do not.
-  static void keepPatches(cv::Mat3f& shades, const cv::Mat1b& agreed) {
-    cv::Mat1f share;
-    agreed.convertTo(share, CV_32F, 1 / 255.0);
-    cv::boxFilter(share, share, CV_32F, {kPatch, kPatch});
-    cv::Mat1b whole = share > kWholePatch;
-    cv::dilate(whole, whole, cv::getStructuringElement(cv::MORPH_RECT, {kPatch / 2, kPatch / 2}));
-    shades.setTo(cv::Scalar::all(0), ~(whole & agreed));
+  // By photograph: with how many others it agrees over the window around a place.
+  static std::vector<cv::Mat1b> agreeingPhotographs(const std::vector<cv::Mat_<cv::Vec3s>>& rests,
+                                                    float grain_sd) {
+    const cv::Size size = rests[0].size();
+    std::vector<cv::Mat1b> counts(rests.size());
+    for (cv::Mat1b& count : counts) count = cv::Mat1b(size, uchar{0});
+    cv::Mat1f off(size), mean;
+    for (std::size_t i = 0; i < rests.size(); ++i)
+      for (std::size_t j = i + 1; j < rests.size(); ++j) {
+        for (int row = 0; row < size.height; ++row)
+          for (int column = 0; column < size.width; ++column) {
+            const cv::Vec3s &a = rests[i](row, column), &b = rests[j](row, column);
+            const bool both = a[0] != kUnseen && b[0] != kUnseen;
+            off(row, column) = both ? 0.001F * static_cast<float>(std::max({std::abs(a[0] - b[0]),
+                                                                            std::abs(a[1] - b[1]),
+                                                                            std::abs(a[2] - b[2])}))
+                                    : 10.F;
+          }
+        cv::boxFilter(off, mean, CV_32F, {kWindow, kWindow});
+        for (int row = 0; row < size.height; ++row)
+          for (int column = 0; column < size.width; ++column) {
+            if (mean(row, column) > 1) continue;
+            const cv::Vec3s& a = rests[i](row, column);
+            const float g = static_cast<float>(a[0] + a[1] + a[2]) / 3000;
+            // The largest of three channels' differences is 1.7 SD in the mean; shot noise grows
+            // with the root of the darkening.
+            if (mean(row, column) > 4 * grain_sd * std::exp(-0.5F * std::min(g, 0.F))) continue;
+            ++counts[i](row, column);
+            ++counts[j](row, column);
+          }
+      }
+    return counts;
+  }
+
+  // What the photograph with most company sees at a place, where it is a shadow's.
+  static std::optional<cv::Vec3f> shadeAt(const std::vector<cv::Mat_<cv::Vec3s>>& rests,
+                                          const std::vector<cv::Mat1b>& counts, int row,
+                                          int column) {
+    std::size_t best = 0;
+    int seen = 0;
+    for (std::size_t i = 0; i < rests.size(); ++i) {
+      if (counts[i](row, column) > counts[best](row, column)) best = i;
+      seen += rests[i](row, column)[0] != kUnseen ? 1 : 0;
+    }
+    const int agreeing = counts[best](row, column) + 1;
+    const cv::Vec3f shade = cv::Vec3f(rests[best](row, column)) * 0.001F;
+    const float g = brightness(shade);
+    const cv::Vec3f tint = shade - cv::Vec3f::all(g);
+    const double needed = g < kDark ? kMostAgree : kSomeAgree;
+    if (agreeing < kFewestWitnesses || agreeing < needed * seen || g > kStain.brightness ||
+        g < kDeepest || cv::norm(tint) > kStain.colour + kShadowTint * std::abs(g))
+      return std::nullopt;
+    return shade;
   }
 
   std::span<const cv::Mat3b> samples_;

@@ -15,6 +15,7 @@
 #include "pipeline/stage.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
+#include "rig/sheet_bend.h"
 #include "scan/lengths.h"
 
 namespace ostraka::pipeline {
@@ -47,8 +48,9 @@ struct Poses {
   /// Both sides, plate frame; photographs of more than ProcessOptions::megapixels with the camera
   /// of the reduced picture, unlike in OUT/work/rig/cameras.json.
   std::vector<rig::PosedImage> images;
-  rig::Rig rig;           ///< empty without a plate
+  rig::Rig rig;           ///< empty without a turntable
   bool has_scale = true;  ///< false: each side has a size of its own, no length is known
+  std::array<rig::SheetBend, 2> bends = {};  ///< of the printed sheet, by side
   std::vector<rig::PosedImage> of(batch::Side side) const;
 };
 
@@ -92,7 +94,7 @@ Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side si
 /// the record says which file each came from.
 Result<Staged<std::vector<scan::Scan>>> importStage(const Run& run, batch::Side side,
                                                     const ScanFolder& folder);
-/// The mask's file in OUT/work/masks_front or masks_back: cam0_pos00.png.
+/// The mask's file in OUT/work/masks_front or masks_back: as the photograph's, cam0_pos00.png.
 std::string maskName(const rig::PosedImage& image);
 /// The folder under OUT/work that holds the scans of a side: scans_front, or pieces_front.
 std::string scanFolder(const Run& run, batch::Side side);

@@ -81,7 +81,9 @@ PairOptions optionsOf(const Run& run) {
   options.threads = run.options.threads;
   options.candidates.threads = run.options.threads;
   options.candidates.method = run.options.pairing;
-  options.place = run.batch.plate ? PlaceEvidence::Weak : PlaceEvidence::None;
+  // Sherds are turned over beside where they lay on a plate; over a sheet they may come anywhere.
+  const bool beside = run.batch.plate && run.batch.way == batch::Way::Rig;
+  options.place = beside ? PlaceEvidence::Weak : PlaceEvidence::None;
   return options;
 }
 

@@ -96,17 +96,18 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
     if (!*look) return look->error();
 
   std::map<int, double> sharpest;  // by camera; its focus is the same on both sides
+  const auto cameraOf = [&](std::size_t i) { return options.one_camera ? 0 : images[i].camera; };
   std::map<batch::Side, std::set<int>> seen;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Look& look = **looks[i];
     seen[images[i].side].insert(look.seen.begin(), look.seen.end());
-    double& best = sharpest[images[i].camera];
+    double& best = sharpest[cameraOf(i)];
     if (look.edge_px > 0) best = best > 0 ? std::min(best, look.edge_px) : look.edge_px;
   }
   std::vector<std::size_t> blurred;
   std::map<batch::Side, double> shares;  // of the side's photographs that are blurred
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const double width = (*looks[i])->edge_px, best = sharpest[images[i].camera];
+    const double width = (*looks[i])->edge_px, best = sharpest[cameraOf(i)];
     if (width <= options.most_edge_growth * best || width <= best + options.wide_edge_px) continue;
     blurred.push_back(i);
     shares[images[i].side] += 1;
@@ -119,7 +120,7 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
   for (const std::size_t i : blurred) {
     const bool left_out = shares[images[i].side] <= options.most_left_out;
     findings.warnings.push_back(
-        blurWarning(images[i].file, (*looks[i])->edge_px, sharpest[images[i].camera], left_out));
+        blurWarning(images[i].file, (*looks[i])->edge_px, sharpest[cameraOf(i)], left_out));
     if (left_out) findings.spoilt.push_back(i);
   }
   for (const auto& [side, ids] : seen) {

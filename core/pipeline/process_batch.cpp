@@ -84,8 +84,16 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
                   work, run.progress);
 }
 
+bool wasPhotographed(const batch::Batch& batch, batch::Side side) {
+  return std::any_of(batch.shots.begin(), batch.shots.end(),
+                     [&](const batch::Shot& shot) { return shot.side == side; });
+}
+
+// Nothing of a side that was not photographed.
 Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>& poses,
                           std::vector<ReportStage>& stages) {
+  Sides found;
+  if (!wasPhotographed(run.batch, side)) return found;
   const std::string name = batch::name(side);
   const auto cancelled = [&] { return run.stop.stop_requested(); };
   run.progress.begin("masks of the " + name + " side", 0.08);
@@ -110,9 +118,11 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
                 poses.value.has_scale ? scan::Lengths::Millimetres : scan::Lengths::Relative);
   if (!scans) return scans.error();
   stages.push_back({"scans, " + name, scans->record});
-  Sides found{std::move(*masks), std::move(*scans)};
+  found.masks = std::move(*masks);
+  found.scans = std::move(*scans);
   found.doubtful = found.scans.record.notes.figures.value("doubtful", std::vector<std::string>());
-  if (!run.batch.plate) return found;  // without a turntable there are no stops to compare
+  if (!run.batch.plate || run.batch.way == batch::Way::FreeCamera)
+    return found;  // without a turntable there are no stops to compare
   const Result<StageRecord> still = stillnessStage(run, side, poses, found);
   if (!still) return still.error();
   stages.push_back({"stillness, " + name, *still});
@@ -270,6 +280,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   if (!pairs) return pairs.error();
   report.stages.push_back({"pairs", pairs->record});
 
+  report.way = run.batch.way;
   report.batch_name = fs::weakly_canonical(run.batch.folder).filename().string();
   report.unpaired_front = pairs->value.unpaired_front;
   report.unpaired_back = pairs->value.unpaired_back;
@@ -287,15 +298,23 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
           makeModels(run, pairs->value.pairs, front, back, shares.models, report, summary);
       !r)
     return r.error();
+  if (!wasPhotographed(run.batch, batch::Side::Back)) {
+    report.one_side = "Only one side was photographed: its " +
+                      std::to_string(report.unpaired_front.size()) +
+                      " scans are open surfaces without a back; they are in 'unpaired'.";
+    run.progress.note(NoteLevel::Warning, report.one_side);
+  }
   const auto lone_fronts = scansNamed(report.unpaired_front, front.scans.value);
   const auto lone_backs = scansNamed(report.unpaired_back, back.scans.value);
   if (const auto r = publishLone(run, lone_fronts, batch::Side::Front); !r) return r.error();
   if (const auto r = publishLone(run, lone_backs, batch::Side::Back); !r) return r.error();
   report.warnings = reading;
+  if (!report.one_side.empty()) report.warnings.push_back(report.one_side);
   for (const ReportStage& stage : report.stages)
     report.warnings.insert(report.warnings.end(), stage.record.notes.warnings.begin(),
                            stage.record.notes.warnings.end());
-  if (run.batch.plate)  // scans that are split already lie on none and touch nothing
+  // Scans that are split already lie on no plate and touch nothing.
+  if (run.batch.plate && report.one_side.empty())
     for (const auto& words :
          {perhapsTouching(lone_fronts, lone_backs), perhapsTouching(lone_backs, lone_fronts)})
       for (const std::string& warning : words) {

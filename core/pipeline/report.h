@@ -26,6 +26,8 @@ struct ReportSherd {
 /// Everything that the two reports are written from.
 struct ReportInput {
   std::string batch_name;
+  batch::Way way = batch::Way::Rig;
+  std::string one_side;  ///< a sentence where the other side was not photographed
   std::vector<ReportStage> stages;
   std::vector<ReportSherd> sherds;
   std::vector<std::string> unpaired_front, unpaired_back, set_aside, reshoot, warnings;

@@ -85,9 +85,11 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
   }
   std::vector<unsigned char> bytes;
   cv::imencode(".jpg", drawn, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
-  const std::string words = std::string(batch::name(side)) + " side, camera " +
-                            batch::cameraLetter(image.camera) + ", stop " +
-                            std::to_string(image.stop + 1);
+  const std::string words =
+      std::string(batch::name(side)) + " side, " +
+      (input.way == batch::Way::FreeCamera ? std::filesystem::path(image.file).filename().string()
+                                           : "camera " + batch::cameraLetter(image.camera) +
+                                                 ", stop " + std::to_string(image.stop + 1));
   return "<figure>" + picture({bytes.begin(), bytes.end()}, "jpeg", words) + "<figcaption>" +
          words + "</figcaption></figure>";
 }

@@ -20,6 +20,7 @@
 #include "pipeline/scale_check.h"
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
+#include "rig/free_cameras.h"
 #include "stereo/colmap_door.h"
 #include "stereo/openmvs_door.h"
 #include "stereo/stereo.h"
@@ -45,6 +46,10 @@ Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& i
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
   return photographs;
+}
+
+std::size_t indexOf(batch::Side side) {
+  return side == batch::Side::Front ? 0 : 1;
 }
 
 // Absent: not of this batch.
@@ -147,7 +152,8 @@ Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>
   return result;
 }
 
-Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images) {
+Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images,
+                                   const rig::SheetBend& bend) {
   const Result<MaskSource> source = maskSource(run.options.masks, run.batch);
   if (!source) return source.error();
   if (*source == MaskSource::Given) return givenMasks(run, images);
@@ -156,6 +162,7 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   if (*source == MaskSource::Network) return networkMasks(run, *photographs);
   mask::PlateMaskOptions options;
   options.threads = run.options.threads;
+  options.bend = bend;
   return mask::maskByPlate(images, *photographs, *run.batch.plate, emptyPlates(run.batch, images),
                            options, run.progress, run.stop);
 }
@@ -244,8 +251,11 @@ ScaleCheck scaleOf(const Run& run, const rig::BatchPoses& poses, StageNotes& not
 
 // Blurred photographs help the poses, by their markers, and harm all that follows.
 Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
+  PhotoCheckOptions options;
+  options.one_camera = run.batch.way == batch::Way::FreeCamera;
+  options.threads = run.options.threads;
   const Result<PhotoFindings> found =
-      checkPhotographs(poses.images, *run.batch.plate, {.threads = run.options.threads}, run.stop);
+      checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
   if (!found) return found.error();
   for (const std::string& warning : found->warnings) {
     run.progress.note(NoteLevel::Warning, warning);
@@ -258,6 +268,36 @@ Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& 
     poses.markers_per_image.erase(poses.markers_per_image.begin() + at);
   }
   return {};
+}
+
+constexpr const char* kBends = "sheet.json";
+
+// {"unit":"mm","front":{"reach","coefficients":[12]},"back":{...}}
+Result<void> writeBends(const fs::path& file, const std::array<rig::SheetBend, 2>& bends) {
+  ordered_json json{{"unit", "mm"}};
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const rig::SheetBend& bend = bends[indexOf(side)];
+    json[batch::name(side)] = {{"reach", bend.reach_mm}, {"coefficients", bend.coefficients_mm}};
+  }
+  return writeJson(file, json);
+}
+
+Result<std::array<rig::SheetBend, 2>> readBends(const fs::path& file) {
+  const Result<nlohmann::json> json = readJson(file);
+  if (!json) return json.error();
+  std::array<rig::SheetBend, 2> bends;
+  try {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      const nlohmann::json& own = json->at(batch::name(side));
+      bends[indexOf(side)].reach_mm = own.at("reach").get<double>();
+      bends[indexOf(side)].coefficients_mm =
+          own.at("coefficients").get<std::array<double, rig::SheetBend::kTerms>>();
+    }
+  } catch (const nlohmann::json::exception&) {
+    return Error::unusable(
+        "It does not say how the sheets are bent; delete it, and they are measured again.", file);
+  }
+  return bends;
 }
 
 // What masks, stereo and all that follows work on: images of no more pixels than asked for.
@@ -284,9 +324,7 @@ double coverage(const std::vector<cv::Mat1b>& masks) {
 }  // namespace
 
 std::string maskName(const rig::PosedImage& image) {
-  const std::string stop = std::to_string(image.stop);
-  return std::string("cam") + std::to_string(image.camera) + "_pos" +
-         std::string(stop.size() < 2 ? 2 - stop.size() : 0, '0') + stop + ".png";
+  return fs::path(image.file).stem().string() + ".png";
 }
 
 std::vector<rig::PosedImage> Poses::of(batch::Side side) const {
@@ -311,8 +349,10 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     if (!run.batch.plate) return poseWithoutPlate(run, folder);
     rig::PoseOptions options;
     options.threads = run.options.threads;
+    const bool free = run.batch.way == batch::Way::FreeCamera;
     Result<rig::BatchPoses> poses =
-        rig::poseBatch(run.batch, known, options, run.progress, run.stop);
+        free ? rig::poseFreeCameras(run.batch, options, run.progress, run.stop)
+             : rig::poseBatch(run.batch, known, options, run.progress, run.stop);
     if (!poses) return poses.error();
     StageNotes notes;
     notes.warnings = poses->warnings;
@@ -321,7 +361,9 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
       return written.error();
-    if (const Result<void> written = rig::writeRig(folder / "rig.json", poses->rig); !written)
+    if (const Result<void> written = free ? writeBends(folder / kBends, poses->bends)
+                                          : rig::writeRig(folder / "rig.json", poses->rig);
+        !written)
       return written.error();
     notes.figures = {{"images", poses->images.size()},
                      {"reprojection_rms_px", poses->reprojection_rms_px},
@@ -343,6 +385,11 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     const bool has_scale = record->notes.figures.value("has_scale", false);
     return atWorkingSize(run, {std::move(*images), {}, has_scale}, *record);
   }
+  if (run.batch.way == batch::Way::FreeCamera) {
+    const Result<std::array<rig::SheetBend, 2>> bends = readBends(run.work / "rig" / kBends);
+    if (!bends) return bends.error();
+    return atWorkingSize(run, {std::move(*images), {}, true, *bends}, *record);
+  }
   Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
   if (!rig) return rig.error();
   return atWorkingSize(run, {std::move(*images), std::move(*rig)}, *record);
@@ -358,7 +405,7 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     how = sha256(*model);
   }
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const Result<mask::MaskResult> made = makeMasks(run, images);
+    const Result<mask::MaskResult> made = makeMasks(run, images, poses.value.bends[indexOf(side)]);
     if (!made) return made.error();
     for (std::size_t i = 0; i < images.size(); ++i)
       if (const Result<void> written = writeMask(folder / maskName(images[i]), made->masks[i],
@@ -446,7 +493,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
       views.push_back({used[i], (*photographs)[i], used_masks[i]});
     stereo::DenseOptions options;
     options.threads = run.options.threads;
-    if (run.batch.plate) options.floor_z_mm = 0.0;
+    if (run.batch.plate) options.floor_z_mm = -poses.value.bends[indexOf(side)].most();
     const Result<PointCloud> cloud = denseCloud(run, name, views, options, notes.figures);
     if (!cloud) return cloud.error();
     const Result<void> written =

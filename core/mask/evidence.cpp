@@ -117,7 +117,10 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
     // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
     // ratio of two variances over the window's sixteen independent samples). Smooth clay leaves
     // none, so a lack of texture says nothing.
-    const float ratio = texture[x] * per_texture / (gain + edge * edge * per_noise);
+    // Measured in half light; beyond it shot noise explains what there is.
+    const float half_light = darker > 1.1F ? std::min(std::max(3 - darker, 0.F), 1.F) : 0.F;
+    const float in_shade = 1 + half_light * (noise.shade_texture - 1);
+    const float ratio = texture[x] * per_texture / (in_shade * gain + edge * edge * per_noise);
     const float grain = std::min(std::max(0.5F * 16 * (ratio * (1 - 1 / 6.F) - log_six), 0.F), 7.F);
     // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
     // own.
@@ -139,7 +142,7 @@ cv::Mat3f smoothed(const cv::Mat3f& log_colours) {
 }
 
 ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
-                           const cv::Mat1b& on_plate) {
+                           const cv::Mat1b& on_plate, const cv::Mat1b& shade) {
   // The plate's own texture, not only what the prediction misses of it: close to a sherd the plate
   // is seldom seen bare and its texture not predicted.
   const cv::Mat3f plate = bare + residual;
@@ -166,6 +169,15 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
   const float rounding = 0.3F / (noise.level + kDarkLevel);
   noise.brightness = std::max(robustDeviation(brightness), rounding);
   noise.colour = std::max(robustDeviation(colour), rounding);
+  if (shade.empty()) return noise;
+  std::vector<float> excess;
+  for (int y = 0; y < residual.rows; y += 3)
+    for (int x = 0; x < residual.cols; x += 3) {
+      if (shade(y, x) == 0) continue;
+      const float darker = (noise.level + kDarkLevel) * std::exp(-brightnessOf(plate(y, x)));
+      excess.push_back(energy(y, x) / (noise.texture * std::max(0.25F, darker * darker)));
+    }
+  if (excess.size() > 200) noise.shade_texture = std::max(1.F, medianOf(excess));
   return noise;
 }
 

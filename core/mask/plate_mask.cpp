@@ -1,6 +1,7 @@
 #include "mask/plate_mask.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
@@ -30,12 +31,17 @@ struct ViewState {
   HullView hull;
   cv::Mat1b group;    ///< reduced: which group's hull shows
   cv::Mat1f depth;    ///< reduced: mm of hull behind it
+  cv::Mat1f voxels;   ///< reduced: of hull behind it or below its front, whichever are fewer
   cv::Mat1b allowed;  ///< where a sherd may be
   cv::Mat1b plate;    ///< reduced: the plate inside the markers
 };
 
 constexpr float kDarkened = 0.25F;  // log brightness: a fifth of the light is missing
-constexpr float kSlackVoxels = 1.5F, kPerVoxel = 2, kMostHullOdds = 4;  // see trustHull
+constexpr float kSlackVoxels = 1.5F, kPerVoxel = 2;  // below and above which a hull says something
+constexpr double kMostHullOdds = 4, kPrior = 10;     // see learnHull
+constexpr float kSure = 3;
+constexpr int kHullSteps = 12;   // half voxels
+constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
 constexpr double kCarvingShare =
     0.15;                          // of the photographs; of the others some see a shadow as sherd
 constexpr double kAround = 6;      // mm beside a sherd: its own shadow is darkest there
@@ -109,13 +115,17 @@ class PlateMasker {
       });
     };
     overViews(&PlateMasker::showHull);
+    const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
+    if (!lasting) learnHull(), overViews(&PlateMasker::trustHull);
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
     overViews(&PlateMasker::askOthers);
     if (!stop.stop_requested()) learnColours();
     overViews(&PlateMasker::cutView);
-    if (plate_.sheet && still_light_ && !stop.stop_requested()) {
+    if (lasting && !stop.stop_requested()) {
       carveByMasks(stop);
       overViews(&PlateMasker::showHull);
+      learnHull();
+      overViews(&PlateMasker::trustHull);
       overViews(&PlateMasker::cutView);
     }
     if (stop.stop_requested()) return Error::cancelled();
@@ -180,13 +190,20 @@ class PlateMasker {
     parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
       cv::Mat1b known;
-      const cv::Mat3f predicted = predictBareSheet(
-          picture, i, *printed, gridOfPixels(images_[i], grid, options_.bend), known);
+      const cv::Mat2f grid_of_pixel = gridOfPixels(images_[i], grid, options_.bend);
+      const cv::Mat3f predicted = predictBareSheet(picture, i, *printed, grid_of_pixel, known);
       const cv::Mat3f bare = smoothed(predicted);
       cv::Mat3f residual = smoothed(logColours(photographs_[i])) - bare;
       residual.setTo(cv::Scalar::all(0), ~known);
-      const ResidualNoise noise = measureNoise(residual, bare, known);
+      cv::Mat1b shade;
+      if (!picture.shade.empty())
+        cv::remap(picture.shade, shade, grid_of_pixel, cv::noArray(), cv::INTER_NEAREST,
+                  cv::BORDER_CONSTANT, cv::Scalar::all(0));
+      const ResidualNoise noise = measureNoise(residual, bare, known, shade);
       Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
+      const cv::Mat1f seen_bare = seenBare(picture, residual, grid_of_pixel);
+      evidence.clear = cv::max(evidence.clear, seen_bare);
+      evidence.log_odds -= seen_bare.mul(evidence.log_odds + kBareOdds);
       // Where the pixel beside is unknown the smoothing mixed both.
       cv::Mat1b certain;
       cv::erode(known, certain, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
@@ -345,19 +362,40 @@ class PlateMasker {
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
     cv::dilate(silhouette, view.allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
-    if (masks_known_ || !plate_.sheet || !still_light_) trustHull(view, shown.height);
+    view.voxels = cv::min(shown.depth, shown.height) / space_.pitch;
   }
 
-  // The hull is a voxel or two too wide, and above a lasting shadow a few voxels high. Where it is
-  // deeper and higher there is a sherd: a shadow would have to be seen through all of it. Black
-  // clay looks like nothing else but a shadow.
-  void trustHull(ViewState& view, const cv::Mat1f& height) const {
-    cv::Mat1f voxels = cv::min(view.depth, height) / space_.pitch, full;
-    cv::resize(voxels, full, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+  // How much a pixel's hull says for a sherd, by the voxels behind it and below its front. A hull
+  // is a voxel or two too wide, more so with few photographs and above shadows that last: learnt
+  // from the pixels that are sure by themselves, of all views.
+  void learnHull() {
+    std::array<double, kHullSteps> sherd{}, plate{};
+    for (const ViewState& view : views_)
+      for (int y = 0; y < view.voxels.rows; ++y)
+        for (int x = 0; x < view.voxels.cols; ++x) {
+          if (view.group(y, x) == 0) continue;
+          const float odds = view.log_odds(y * hull_.reduction + hull_.reduction / 2,
+                                           x * hull_.reduction + hull_.reduction / 2);
+          if (std::abs(odds) > kSure) (odds > 0 ? sherd : plate)[hullStep(view.voxels(y, x))] += 1;
+        }
+    for (int k = 0; k < kHullSteps; ++k)
+      hull_odds_[k] = static_cast<float>(
+          std::clamp(std::log((sherd[k] + kPrior) / (plate[k] + kPrior)), 0.0, kMostHullOdds));
+  }
+
+  static std::size_t hullStep(float voxels) {
+    return static_cast<std::size_t>(std::clamp(2 * voxels, 0.F, kHullSteps - 1.F));
+  }
+
+  // Black clay looks like nothing else but a shadow; what lies deep in the hull is none.
+  void trustHull(std::size_t index) {
+    ViewState& view = views_[index];
+    cv::Mat1f full;
+    cv::resize(view.voxels, full, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
     for (int y = 0; y < full.rows; ++y)
       for (int x = 0; x < full.cols; ++x)
-        view.log_odds(y, x) +=
-            std::clamp(kPerVoxel * (full(y, x) - kSlackVoxels), 0.F, kMostHullOdds);
+        view.log_odds(y, x) += std::min(hull_odds_[hullStep(full(y, x))],
+                                        std::max(0.F, kPerVoxel * (full(y, x) - kSlackVoxels)));
   }
 
   // The share of the plate away from sherds that is darker than the camera's other stops explain.
@@ -470,8 +508,9 @@ class PlateMasker {
   HullOptions hull_;
   HullSpace space_;
   std::vector<unsigned char> voxels_;
-  bool still_light_ = true;   ///< on a sheet; at a stop of a rig it is
-  bool masks_known_ = false;  ///< the hull is that of the masks so far
+  std::array<float, kHullSteps> hull_odds_{};  ///< see learnHull
+  bool still_light_ = true;                    ///< on a sheet; at a stop of a rig it is
+  bool masks_known_ = false;                   ///< the hull is that of the masks so far
   MaskResult result_;
 };
 

@@ -139,7 +139,7 @@ class SheetPainter {
  private:
   void fitTone(std::size_t i) {
     std::vector<PaperSample> samples;
-    overCells(i, paper_, [&](int row, int column, const cv::Vec3f& colour) {
+    overCells(i, paper_, kFitStride, [&](int row, int column, const cv::Vec3f& colour) {
       samples.push_back({basisAt(unit(static_cast<float>(column), printed_.cols),
                                  unit(static_cast<float>(row), printed_.rows)),
                          colour - picture_.correction(row, column)});
@@ -147,7 +147,7 @@ class SheetPainter {
     if (samples.size() < 100) return;
     SheetPicture::Tone tone = fitPaper(samples);
     std::vector<float> ink[3];
-    overCells(i, ink_, [&](int row, int column, const cv::Vec3f& colour) {
+    overCells(i, ink_, 1, [&](int row, int column, const cv::Vec3f& colour) {
       const cv::Vec3f rest = colour - paperAt(tone, row, column);
       for (int c = 0; c < 3; ++c) ink[c].push_back(rest[c]);
     });
@@ -162,9 +162,9 @@ class SheetPainter {
   }
 
   template <class Body>
-  void overCells(std::size_t i, const cv::Mat1b& which, const Body& body) const {
-    for (int row = 0; row < which.rows; row += kFitStride)
-      for (int column = 0; column < which.cols; column += kFitStride) {
+  void overCells(std::size_t i, const cv::Mat1b& which, int stride, const Body& body) const {
+    for (int row = 0; row < which.rows; row += stride)
+      for (int column = 0; column < which.cols; column += stride) {
         const cv::Vec3b& sample = samples_[i](row, column);
         if (which(row, column) != 0 && seen(sample)) body(row, column, logs_(sample));
       }
@@ -263,9 +263,15 @@ class SheetPainter {
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column)
         shades(row, column) *= agreed(row, column) / std::max(1.F, weight(row, column));
+    picture_.witnessed = cv::Mat1b(printed_.size(), uchar{0});
+    picture_.shade = cv::Mat1b(printed_.size(), uchar{0});
     for (int row = 0; row < printed_.rows; ++row)
-      for (int column = 0; column < printed_.cols; ++column)
+      for (int column = 0; column < printed_.cols; ++column) {
         picture_.correction(row, column) += shades(row / 2, column / 2);
+        picture_.witnessed(row, column) = agreed(row / 2, column / 2) > 0 ? 255 : 0;
+        if (brightness(shades(row / 2, column / 2)) < -kStain.brightness)
+          picture_.shade(row, column) = picture_.witnessed(row, column);
+      }
   }
 
   // By photograph: with how many others it agrees over the window around a place.
@@ -406,6 +412,19 @@ cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const
         bare(y, x) += tone.paperAt(unit(cell[0], printed.cols), unit(cell[1], printed.rows)) +
                       mixture(paper(y, x), tone.ink);
     }
+  return bare;
+}
+
+cv::Mat1f seenBare(const SheetPicture& picture, const cv::Mat3f& residual,
+                   const cv::Mat2f& grid_of_pixel) {
+  cv::Mat1f bare(residual.size(), 0.F);
+  if (picture.witnessed.empty()) return bare;
+  cv::Mat1b witnessed;
+  cv::remap(picture.witnessed, witnessed, grid_of_pixel, cv::noArray(), cv::INTER_NEAREST,
+            cv::BORDER_CONSTANT, cv::Scalar::all(0));
+  for (int y = 0; y < bare.rows; ++y)
+    for (int x = 0; x < bare.cols; ++x)
+      if (witnessed(y, x) != 0) bare(y, x) = bareWeight(residual(y, x), kStain);
   return bare;
 }
 

@@ -28,6 +28,10 @@ struct SheetPicture {
   /// Grid; log colour by which the sheet differs from its printed picture wherever it was seen
   /// bare: stains, creases, print that plate.json does not know.
   cv::Mat3f correction;
+  /// Grid; 255 where so many photographs agree on what lies in the sheet's plane that it must be
+  /// bare, lit or in a shadow that lasts. Empty where light does not stand still.
+  cv::Mat1b witnessed;
+  cv::Mat1b shade;  ///< of these the ones that lie in a shadow; empty likewise
   /// Whether light and shade stand still on the sheet from photograph to photograph, as they do
   /// when the camera moves; with a camera at rest over a sheet that is turned they do not.
   bool still_light = true;
@@ -42,5 +46,11 @@ SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat
 /// the sheet. known: 255 where it does.
 cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const cv::Mat1f& printed,
                            const cv::Mat2f& grid_of_pixel, cv::Mat1b& known);
+
+/// How surely a photograph sees the bare sheet where others do (SheetPicture::witnessed), 0..1, by
+/// its residual against predictBareSheet. Grain, by which clay is told from even plates, says
+/// nothing there: the darker paper lies, the more a sensor's noise looks like it.
+cv::Mat1f seenBare(const SheetPicture& picture, const cv::Mat3f& residual,
+                   const cv::Mat2f& grid_of_pixel);
 
 }  // namespace ostraka::mask

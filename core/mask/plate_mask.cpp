@@ -37,8 +37,8 @@ struct ViewState {
 };
 
 constexpr float kDarkened = 0.25F;  // log brightness: a fifth of the light is missing
-constexpr float kSlackVoxels = 1.5F, kPerVoxel = 2;  // below and above which a hull says something
-constexpr double kMostHullOdds = 4, kPrior = 10;     // see learnHull
+constexpr float kSlackVoxels = 0.75F, kPerVoxel = 4;  // below and above which a hull says something
+constexpr double kMostHullOdds = 4, kPrior = 10;      // see learnHull
 constexpr float kSure = 3;
 constexpr int kHullSteps = 12;   // half voxels
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
@@ -376,7 +376,8 @@ class PlateMasker {
           if (view.group(y, x) == 0) continue;
           const float odds = view.log_odds(y * hull_.reduction + hull_.reduction / 2,
                                            x * hull_.reduction + hull_.reduction / 2);
-          if (std::abs(odds) > kSure) (odds > 0 ? sherd : plate)[hullStep(view.voxels(y, x))] += 1;
+          if (odds > kSure) sherd[hullStep(view.voxels(y, x))] += 1;
+          if (view.hull.clear(y, x) > 0.5F) plate[hullStep(view.voxels(y, x))] += 1;
         }
     for (int k = 0; k < kHullSteps; ++k)
       hull_odds_[k] = static_cast<float>(

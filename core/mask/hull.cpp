@@ -11,6 +11,8 @@
 namespace ostraka::mask {
 namespace {
 
+constexpr int kFloorLayers = 3;  // a sherd touches the plate somewhere; a hull is a voxel too wide
+
 // Views far apart first: most empty voxels are empty to the first two or three views asked.
 std::vector<std::size_t> scatteredOrder(std::size_t count) {
   std::vector<std::size_t> order(count);
@@ -123,10 +125,16 @@ int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, 
         if (voxels[index(x, y, z)] != 0) footprint(y, x) = 255;
   cv::Mat labels, stats, centres;
   const int groups = cv::connectedComponentsWithStats(footprint, labels, stats, centres, 8, CV_32S);
+  std::vector<char> stands(static_cast<std::size_t>(groups), 0);
+  for (int z = 0; z < std::min(kFloorLayers, n.z()); ++z)
+    for (int y = 0; y < n.y(); ++y)
+      for (int x = 0; x < n.x(); ++x)
+        if (voxels[index(x, y, z)] != 0) stands[labels.at<int>(y, x)] = 1;
   int left = 0;
   std::vector<unsigned char> number(static_cast<std::size_t>(groups), 0);
   for (int g = 1; g < groups; ++g)
-    if (stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area)
+    if (stands[g] != 0 &&
+        stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area)
       number[g] = static_cast<unsigned char>(left++ % kMostGroups + 1);
   for (int z = 0; z < n.z(); ++z)
     for (int y = 0; y < n.y(); ++y)

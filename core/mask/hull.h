@@ -45,8 +45,9 @@ Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned c
 
 inline constexpr int kMostGroups = 255;  ///< more share numbers
 
-/// Takes away standing groups (connected seen from above) with a footprint below min_area; returns
-/// how many groups are left and gives their voxels the group's number, 1, 2, ... kMostGroups.
+/// Takes away groups (connected seen from above) that do not stand on the floor, where rays cross
+/// by chance, and those with a footprint below min_area; returns how many groups are left and gives
+/// their voxels the group's number, 1, 2, ... kMostGroups.
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area);
 
 }  // namespace ostraka::mask

@@ -42,6 +42,7 @@ constexpr double kMostHullOdds = 4, kPrior = 10;      // see learnHull
 constexpr float kSure = 3;
 constexpr int kHullSteps = 12;   // half voxels
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
+constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
 constexpr double kCarvingShare =
     0.15;                          // of the photographs; of the others some see a shadow as sherd
 constexpr double kAround = 6;      // mm beside a sherd: its own shadow is darkest there
@@ -303,10 +304,13 @@ class PlateMasker {
   bool carve(const std::stop_token& stop) {
     space_.pitch = 1.5;  // about 6 pixels; the outline itself is found in the photographs
     Eigen::Vector2d reach = Eigen::Vector2d::Constant(0.5 * plate_.diameter_mm);
-    if (plate_.sheet)
+    if (plate_.sheet) {
       reach = 0.5 * plate_.sheet->sizes();
-    else
+      // Many photographs see a high voxel before the table, of which nothing is known.
+      hull_.inside_share = kInsideOverTable;
+    } else {
       space_.radius = reach.x();
+    }
     const int half_x = static_cast<int>(std::ceil(reach.x() / space_.pitch));
     const int half_y = static_cast<int>(std::ceil(reach.y() / space_.pitch));
     space_.low =
@@ -358,11 +362,25 @@ class PlateMasker {
     view.group = shown.group;
     view.depth = shown.depth;
     view.hull.inside.release();
+    if (plate_.sheet) keepOnSheet(view);
     cv::Mat1b silhouette;
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
     cv::dilate(silhouette, view.allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
     view.voxels = cv::min(shown.depth, shown.height) / space_.pitch;
+  }
+
+  // A sherd's foot shows before the sheet, however far its top leans over the table.
+  static void keepOnSheet(ViewState& view) {
+    cv::Mat labels;
+    const int count = cv::connectedComponents(view.group != 0, labels, 8, CV_32S);
+    std::vector<char> on_sheet(static_cast<std::size_t>(count), 0);
+    for (int y = 0; y < labels.rows; ++y)
+      for (int x = 0; x < labels.cols; ++x)
+        if (view.plate(y, x) != 0) on_sheet[labels.at<int>(y, x)] = 1;
+    for (int y = 0; y < labels.rows; ++y)
+      for (int x = 0; x < labels.cols; ++x)
+        if (on_sheet[labels.at<int>(y, x)] == 0) view.group(y, x) = 0;
   }
 
   // How much a pixel's hull says for a sherd, by the voxels behind it and below its front. A hull

@@ -13,6 +13,7 @@ namespace ostraka::app {
 namespace {
 
 using virtualrig::Fault;
+using virtualrig::HandHeldOptions;
 using virtualrig::PlateColor;
 using virtualrig::ScanNoise;
 using virtualrig::SimulateOptions;
@@ -49,9 +50,56 @@ int runSimulate(const SimulateOptions& options, Session& session) {
   return Whole;
 }
 
+// Photographs by hand over a sheet, which exclude what only a rig has.
+void addHandHeld(CLI::App& command, SimulateOptions& options, HandHeldOptions& hand) {
+  using namespace virtualrig;
+  CLI::Option* by_hand = command.add_option_function<int>(
+      "--hand-held",
+      [&options, &hand](int photographs) {
+        hand.photographs = photographs;
+        options.hand_held = hand;
+      },
+      "No rig: so many photographs a side by hand over a printed sheet on a table");
+  const auto choice = [&](const char* name, const char* help, auto& value, const auto& names,
+                          const char* standard) {
+    command.add_option(name, value, help)
+        ->transform(CLI::CheckedTransformer(names))
+        ->default_str(standard)
+        ->needs(by_hand);
+  };
+  choice("--sheet", "The printed sheet", hand.sheet,
+         std::map<std::string, SheetSize>{
+             {"a4", SheetSize::A4}, {"a3", SheetSize::A3}, {"letter", SheetSize::Letter}},
+         "a4");
+  choice("--table", "What the sheet lies on", hand.table,
+         std::map<std::string, TableKind>{{"wood", TableKind::Wood},
+                                          {"cloth", TableKind::Cloth},
+                                          {"granite", TableKind::Granite},
+                                          {"cutting-mat", TableKind::CuttingMat}},
+         "wood");
+  choice("--light", "The light of the room", hand.light,
+         std::map<std::string, LightKind>{{"window", LightKind::Window},
+                                          {"lamp", LightKind::Lamp},
+                                          {"flash", LightKind::Flash},
+                                          {"overcast", LightKind::Overcast},
+                                          {"sun", LightKind::Sun}},
+         "window");
+  choice("--camera", "What takes the photographs", hand.camera,
+         std::map<std::string, CameraKind>{{"phone", CameraKind::Phone},
+                                           {"dslr", CameraKind::Dslr},
+                                           {"compact", CameraKind::Compact}},
+         "phone");
+  command.add_option("--bend", hand.bend_mm, "How far the sheet bends up from the table, mm")
+      ->capture_default_str()
+      ->needs(by_hand);
+  for (const char* of_a_rig : {"--stops", "--plate", "--scans-only", "--scan-noise", "--fault"})
+    by_hand->excludes(command.get_option(of_a_rig));
+}
+
 void addSimulate(CLI::App& rig, Command& chosen) {
-  CLI::App* command =
-      rig.add_subcommand("simulate", "Write a batch of a virtual rig, with the complete truth");
+  CLI::App* command = rig.add_subcommand(
+      "simulate",
+      "Write a batch of a virtual rig, or of photographs by hand, with the complete truth");
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("--output,-o", options->output, "New or empty folder for the batch")
       ->required();
@@ -92,7 +140,10 @@ void addSimulate(CLI::App& rig, Command& chosen) {
                                                                {"covered", Fault::Covered},
                                                                {"shadow", Fault::Shadow},
                                                                {"truncated", Fault::Truncated}}));
-  command->callback([options, &chosen] {
+  auto hand = std::make_shared<HandHeldOptions>();
+  addHandHeld(*command, *options, *hand);
+  command->callback([options, hand, &chosen] {
+    if (options->hand_held) options->hand_held = *hand;  // the options after it count, too
     chosen = [options](Session& session) { return runSimulate(*options, session); };
   });
 }

@@ -25,7 +25,7 @@ double rounded(double value, int steps) {
 }  // namespace
 
 // By libjpeg itself: OpenCV 4.6 always halves the colours' resolution.
-std::string encodedJpeg(const cv::Mat& image) {
+std::string encodedJpeg(const cv::Mat& image, const JpegOptions& options) {
   jpeg_compress_struct job;
   jpeg_error_mgr errors;
   job.err = jpeg_std_error(&errors);
@@ -38,10 +38,15 @@ std::string encodedJpeg(const cv::Mat& image) {
   job.input_components = 3;
   job.in_color_space = JCS_EXT_BGR;
   jpeg_set_defaults(&job);
-  jpeg_set_quality(&job, 95, TRUE);
+  jpeg_set_quality(&job, options.quality, TRUE);
   for (int c = 0; c < 3; ++c) job.comp_info[c].h_samp_factor = job.comp_info[c].v_samp_factor = 1;
+  if (options.halved_colors) job.comp_info[0].h_samp_factor = job.comp_info[0].v_samp_factor = 2;
   job.dct_method = JDCT_ISLOW;  // the exact one
+  job.write_JFIF_header = options.exif.empty() ? TRUE : FALSE;
   jpeg_start_compress(&job, TRUE);
+  if (!options.exif.empty())
+    jpeg_write_marker(&job, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(options.exif.data()),
+                      static_cast<unsigned>(options.exif.size()));
   while (job.next_scanline < job.image_height) {
     JSAMPROW row =
         const_cast<JSAMPROW>(image.ptr<unsigned char>(static_cast<int>(job.next_scanline)));
@@ -58,9 +63,11 @@ std::string photographName(batch::Side side, int camera, int stop) {
   return std::string(batch::name(side)) + "/" + numbered("cam%d_pos%02d.jpg", camera, stop);
 }
 
-Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image, double kept_share) {
-  const std::string bytes = encodedJpeg(image);
-  const auto kept = static_cast<std::size_t>(static_cast<double>(bytes.size()) * kept_share);
+Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image,
+                       const JpegOptions& options) {
+  const std::string bytes = encodedJpeg(image, options);
+  const auto kept =
+      static_cast<std::size_t>(static_cast<double>(bytes.size()) * options.kept_share);
   return writeFileAtomically(file, std::string_view(bytes).substr(0, kept));
 }
 
@@ -76,15 +83,19 @@ Result<void> writePlateAndBoard(const std::filesystem::path& folder) {
   return rig::writeBoard(folder / "board.json", rig::standardBoard());
 }
 
-Result<void> writeTruth(const std::filesystem::path& folder,
-                        const std::vector<VirtualSherd>& sherds, const Layout& layout,
-                        const VirtualRig& rig) {
+std::vector<rig::PosedImage> posedImages(const VirtualRig& rig) {
   std::vector<rig::PosedImage> images;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
     for (int stop = 0; stop < static_cast<int>(rig.angles_rad.size()); ++stop)
       for (int camera = 0; camera < rig.cameras(); ++camera)
         images.push_back({photographName(side, camera, stop), side, camera, stop,
                           rig.intrinsics[camera], rig.cameraFromPlate(camera, stop)});
+  return images;
+}
+
+Result<void> writeTruth(const std::filesystem::path& folder,
+                        const std::vector<VirtualSherd>& sherds, const Layout& layout,
+                        const std::vector<rig::PosedImage>& images) {
   if (Result<void> r = rig::writeCameras(folder / "cameras.json", images); !r) return r;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < sherds.size(); ++i) {

@@ -26,11 +26,6 @@ constexpr float kSoil = 0.65f;  // share of light that a break's own roughness a
 // Of one sample of a pixel; the mean of four has half of it.
 constexpr float kFaceGlitter = 0.13f, kBreakGlitter = 0.2f;
 
-float smoothStep(float low, float high, float x) {
-  const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
-  return t * t * (3 - 2 * t);
-}
-
 // One inclusion per cell at most, wholly inside its cell, so that a look into one cell suffices.
 void mixTemper(const Eigen::Vector3f& p, float cell_mm, float share, std::uint32_t seed,
                Eigen::Vector3f& albedo) {

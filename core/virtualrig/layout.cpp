@@ -11,19 +11,18 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr double kRoom = 124;  // mm from the axis: the markers' paper begins at 129
-constexpr double kGap = 4;     // mm between sherds
+constexpr double kGap = 4;  // mm between sherds
 
 // 1 mm cells of the plate that are taken, widened by the gap.
 class Occupancy {
  public:
   static constexpr int kSide = 2 * 140;
-  Occupancy() : taken_(kSide * kSide, 0) {}
+  explicit Occupancy(const FreeArea& free) : free_(free), taken_(kSide * kSide, 0) {}
 
   bool fits(const std::vector<Eigen::Vector2d>& shape, const Eigen::Isometry2d& pose) const {
     for (const Eigen::Vector2d& p : shape) {
       const Eigen::Vector2d q = pose * p;
-      if (q.norm() > kRoom || taken_[index(q)]) return false;
+      if (!free_.holds(q) || taken_[index(q)]) return false;
     }
     return true;
   }
@@ -43,6 +42,7 @@ class Occupancy {
     const int y = std::clamp(static_cast<int>(std::floor(p.y())) + kSide / 2, 0, kSide - 1);
     return static_cast<std::size_t>(y) * kSide + x;
   }
+  const FreeArea& free_;
   std::vector<char> taken_;
 };
 
@@ -137,7 +137,12 @@ std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece
 class Arranger {
  public:
   Arranger(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options, Random& random)
-      : sherds_(sherds), options_(options), random_(random), ups_(sherds.size(), 1) {}
+      : sherds_(sherds),
+        options_(options),
+        free_(freeArea(options)),
+        scramble_(options.scramble || options.hand_held),
+        random_(random),
+        ups_(sherds.size(), 1) {}
 
   bool front(Layout& layout) {
     laid_.clear();
@@ -163,13 +168,13 @@ class Arranger {
       const double kept = turnTowards(flip * layout.front[s].linear(), piece.rest.linear());
       const Eigen::Vector3d c = flip * layout.front[s].translation();
       const auto by_hand = [&](int round) {
-        if (options_.scramble) return anywhere();
+        if (scramble_) return anywhere();
         const double off = random_.uniform(3, 11 + 0.01 * round), way = turn();
         return planar(kept + random_.uniform(-std::numbers::pi / 6, std::numbers::pi / 6),
                       c.head<2>() + off * Eigen::Vector2d(std::cos(way), std::sin(way)));
       };
       const auto contact = [&] {
-        if (options_.scramble || s == 0) return Contact{turn(), turn()};
+        if (scramble_ || s == 0) return Contact{turn(), turn()};
         const Eigen::Vector3d from = c - flip * layout.front[s - 1].translation();
         return Contact{std::atan2(from.y(), from.x()) + random_.uniform(-0.3, 0.3),
                        kept + random_.uniform(-0.3, 0.3)};
@@ -187,7 +192,8 @@ class Arranger {
   double turn() { return random_.uniform(0, 2 * std::numbers::pi); }
   Eigen::Isometry2d anywhere() {
     const double angle = turn();
-    return planar(angle, inDisc(random_, kRoom - 10));
+    const Eigen::Vector2d p = inDisc(random_, free_.radius - 10);
+    return planar(angle, p.cwiseProduct(free_.half.cwiseMin(free_.radius) / free_.radius));
   }
 
   // Draws until the piece fits beside those that lie already; one of a touching pair is slid
@@ -196,7 +202,7 @@ class Arranger {
   bool place(const Piece& piece, std::size_t s, std::vector<Eigen::Isometry3d>& poses,
              const Draw& draw, const DrawContact& draw_contact) {
     const bool touches = s % 2 == 1 && static_cast<int>(s / 2) < options_.touching;
-    Occupancy others;
+    Occupancy others(free_);
     for (std::size_t i = 0; i + (touches ? 1 : 0) < laid_.size(); ++i)
       others.take(laid_[i].first, laid_[i].second);
     for (int round = 0; round < (touches ? 12 : 3000); ++round) {
@@ -218,12 +224,27 @@ class Arranger {
 
   const std::vector<VirtualSherd>& sherds_;
   const SimulateOptions& options_;
+  const FreeArea free_;
+  const bool scramble_;
   Random& random_;
   std::vector<int> ups_;
   std::vector<std::pair<std::vector<Eigen::Vector2d>, Eigen::Isometry2d>> laid_;
 };
 
 }  // namespace
+
+double FreeArea::area() const {
+  return half.minCoeff() >= radius ? std::numbers::pi * radius * radius : 4 * half.prod();
+}
+
+FreeArea freeArea(const SimulateOptions& options) {
+  FreeArea free;
+  if (!options.hand_held) return free;
+  free.half = paperSize(options.hand_held->sheet) / 2 - Eigen::Vector2d(30.5, 30);
+  free.radius = std::min(free.half.norm(), 124.0);
+  free.half = free.half.cwiseMin(free.radius);
+  return free;
+}
 
 Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options,
                       Random& random) {
@@ -234,7 +255,7 @@ Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOpt
   }
   return Error{ErrorCode::UnusableInput,
                "The " + std::to_string(sherds.size()) +
-                   " sherds do not fit on the plate; ask for fewer, or for another seed.",
+                   " sherds do not fit on the plate or sheet; ask for fewer, or for another seed.",
                {}};
 }
 

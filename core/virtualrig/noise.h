@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -42,6 +43,12 @@ inline float quickNormal(std::uint64_t hash) {
   const float sum = static_cast<float>((hash & 0xFFFF) + ((hash >> 16) & 0xFFFF) +
                                        ((hash >> 32) & 0xFFFF) + (hash >> 48));
   return (sum - 131070.f) * (1.7320508f / 65536.f);
+}
+
+/// 0 below low, 1 above high, level at both; the other way round with low > high.
+inline float smoothStep(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
+  return t * t * (3 - 2 * t);
 }
 
 struct NoiseValue {

@@ -9,16 +9,11 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr float kTable = -70, kPlateThickness = 14;  // mm: the table's height, the plate's side
 constexpr int kTile = 16;
 
 // Just inside a pixel's corners: an edge that passes between them is wider than a pixel.
 constexpr std::array<std::array<float, 2>, 4> kCorners{
     {{-0.45f, -0.45f}, {0.45f, -0.45f}, {-0.45f, 0.45f}, {0.45f, 0.45f}}};
-
-struct Ray {
-  Eigen::Vector3f origin, direction;
-};
 
 class Renderer {
  public:
@@ -27,7 +22,6 @@ class Renderer {
     const Eigen::Isometry3d plate_from_camera = view.camera_from_plate.inverse();
     origin_ = plate_from_camera.translation().cast<float>();
     turn_ = plate_from_camera.linear().cast<float>();
-    room_turn_ = Eigen::Rotation2Df(static_cast<float>(view.plate_angle_rad)).toRotationMatrix();
     for (std::size_t s = 0; s < view.scene.sherds().size(); ++s)
       model_turns_.push_back(view.scene.pose(static_cast<int>(s)).linear().cast<float>());
     markTiles();
@@ -93,7 +87,8 @@ class Renderer {
           ray(x, y, (static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4);
       const Scene::Hit hit = view_.scene.nearest(r.origin, r.direction);
       seen[k] = hit.sherd;
-      sum += hit.sherd < 0 ? surroundings(r) : sherdLight(hit, sampleHash(x, y, k));
+      const std::uint64_t hash = sampleHash(x, y, k);
+      sum += hit.sherd < 0 ? view_.backdrop.light(r, hash) : sherdLight(hit, hash);
     }
     for (const int s : seen)
       if (s >= 0 && std::count(seen.begin(), seen.end(), s) > 8)
@@ -101,18 +96,15 @@ class Renderer {
     return sum / 16;
   }
 
-  // A pixel without a sherd: one sample on felt and table, 16 where paper's edges may be.
+  // A pixel without a sherd: one sample where all is even, 16 where edges may be.
   Eigen::Vector3f openPixel(int x, int y, const Ray& centre) const {
-    const Eigen::Vector3f p =
-        centre.origin - centre.origin.z() / centre.direction.z() * centre.direction;
-    const float radius = p.head<2>().norm();
-    if (centre.direction.z() > 0 || radius < PlateSurface::kRingInner ||
-        radius > PlateSurface::kRadius + 18)
-      return surroundings(centre);
+    const Backdrop& backdrop = view_.backdrop;
+    if (backdrop.even(centre)) return backdrop.light(centre, sampleHash(x, y, 0));
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float low = 1e9f, high = 0;
+    int k = 0;
     for (const auto& [dx, dy] : kCorners) {
-      const Eigen::Vector3f light = surroundings(ray(x, y, dx, dy));
+      const Eigen::Vector3f light = backdrop.light(ray(x, y, dx, dy), sampleHash(x, y, k++));
       low = std::min(low, light.y());
       high = std::max(high, light.y());
       sum += light;
@@ -120,57 +112,11 @@ class Renderer {
     if (high < 1.3f * low)
       return sum / 4;  // felt and paper vary by less, ink and paper by 20 times
     sum.setZero();
-    for (int k = 0; k < 16; ++k)
-      sum += surroundings(ray(x, y, (static_cast<float>(k % 4) - 1.5f) / 4,
-                              (static_cast<float>(k / 4) - 1.5f) / 4));
+    for (k = 0; k < 16; ++k)
+      sum += backdrop.light(
+          ray(x, y, (static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4),
+          sampleHash(x, y, k));
     return sum / 16;
-  }
-
-  float handShare(const Eigen::Vector3f& p) const {
-    if (!view_.hand) return 1;
-    const float d = (p.head<2>() - *view_.hand).norm();
-    return 1 - 0.8f / (1 + std::exp((d - 45) / 8));  // a soft edge of some 30 mm
-  }
-
-  Eigen::Vector3f surroundings(const Ray& r) const {
-    if (r.direction.z() < 0) {
-      const Eigen::Vector3f p = r.origin - r.origin.z() / r.direction.z() * r.direction;
-      if (p.head<2>().squaredNorm() < PlateSurface::kRadius * PlateSurface::kRadius)
-        return plateTop(p);
-    }
-    const float a = r.direction.head<2>().squaredNorm(),
-                b = r.origin.head<2>().dot(r.direction.head<2>());
-    const float c =
-        r.origin.head<2>().squaredNorm() - PlateSurface::kRadius * PlateSurface::kRadius;
-    const float root = b * b - a * c;
-    if (root > 0) {
-      const Eigen::Vector3f p = r.origin + (-b - std::sqrt(root)) / a * r.direction;
-      if (p.z() <= 0 && p.z() > -kPlateThickness) {
-        const Eigen::Vector3f out(p.x() / PlateSurface::kRadius, p.y() / PlateSurface::kRadius, 0);
-        return view_.plate.felt().cwiseProduct(0.4f * view_.room_plate.sky +
-                                               directLight(view_.room_plate, p, out, {1, 1, 1})) *
-               0.6f;
-      }
-    }
-    if (r.direction.z() >= 0) return Eigen::Vector3f::Constant(0.008f);
-    return table(r.origin + (kTable - r.origin.z()) / r.direction.z() * r.direction);
-  }
-
-  Eigen::Vector3f plateTop(const Eigen::Vector3f& p) const {
-    LightField::Shares shares;
-    Eigen::Vector3f irradiance;
-    plateLight(view_.light, view_.ambient, p.head<2>(), shares, irradiance);
-    irradiance += directLight(view_.room_plate, p, Eigen::Vector3f::UnitZ(), shares);
-    return view_.plate.albedo(p.head<2>()).cwiseProduct(irradiance) * handShare(p);
-  }
-
-  // A dark cloth in the plate's wide shadow; it stays with the room.
-  Eigen::Vector3f table(const Eigen::Vector3f& p) const {
-    const float radius = p.head<2>().norm();
-    const float open = 1 / (1 + std::exp((PlateSurface::kRadius + 15 - radius) / 35));
-    const Eigen::Vector2f q = room_turn_ * p.head<2>();
-    const float folds = 1 + 0.3f * fractalNoise({q.x() / 40, q.y() / 40, 7}, 77, 3);
-    return Eigen::Vector3f(0.0145f, 0.0142f, 0.0148f) * ((0.15f + 0.85f * open) * folds);
   }
 
   std::uint64_t sampleHash(int x, int y, int sample) const {
@@ -205,10 +151,14 @@ class Renderer {
     normal.normalize();
     const Eigen::Vector3f slope = model_turns_[hit.sherd] * clay.slope;
     const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
+    for (int l = 0; l < kLights; ++l)
+      if (view_.room_plate.lights[l].hard && shares[l] > 0)
+        shares[l] = seesLight(view_.scene, view_.room_plate.lights[l], p + kLift * normal,
+                              mixed(hash, static_cast<std::uint64_t>(l)));
     irradiance += directLight(view_.room_plate, p, bent, shares);
     // Facets of grains finer than a pixel flash up in one view and not in the next.
     const float flash = 1 + clay.glitter * quickNormal(hash);
-    return clay.albedo.cwiseProduct(irradiance) * (handShare(p) * std::max(0.f, flash));
+    return clay.albedo.cwiseProduct(irradiance) * (handShare(view_.hand, p) * std::max(0.f, flash));
   }
 
   const View& view_;
@@ -216,7 +166,6 @@ class Renderer {
   const std::uint64_t seed_;
   Eigen::Vector3f origin_;
   Eigen::Matrix3f turn_;
-  Eigen::Matrix2f room_turn_;
   std::vector<Eigen::Matrix3f> model_turns_;
   int tile_columns_ = 0;
   std::vector<char> tiles_;
@@ -247,6 +196,7 @@ Photograph photograph(const View& view, const LensRays& lens, const Sensor& sens
         linear[(static_cast<std::size_t>(y) * width + x) * 3 + c] = light[c];
     }
   }
+  out.gain = expose(linear, width, height, sensor);
   out.image = develop(linear, width, height, sensor, seed);
   return out;
 }

@@ -1,10 +1,9 @@
 #pragma once
 #include <opencv2/core.hpp>
-#include <optional>
 #include <stop_token>
 
 #include "rig/camera.h"
-#include "virtualrig/room.h"
+#include "virtualrig/backdrop.h"
 
 namespace ostraka::virtualrig {
 
@@ -15,6 +14,12 @@ struct Sensor {
                                ///< pixel for itself, after the blur; 2.1 % at a brightness of 0.2
   double read_noise = 0.0003;  ///< standard deviation, of full scale: 3.5 electrons
   double vignette = 0.2;       ///< light lost in the corners
+  /// Automatic exposure: the brightness that 95 % of the picture stay below; 0: as the light falls.
+  double exposure_aim = 0;
+  double exposure = 1;              ///< by how much it misses that
+  Eigen::Array3f balance{1, 1, 1};  ///< of white: red, green, blue
+  Eigen::Vector2d motion_px{0, 0};  ///< what the picture moved while the shutter was open
+  double sharpening = 0;            ///< share of the brightness's fine detail that is added again
 };
 
 /// A camera with the direction of each pixel, computed once.
@@ -41,15 +46,15 @@ struct View {
   const Room& room_plate;
   const LightField& light;
   const AmbientField& ambient;
-  const PlateSurface& plate;
+  const Backdrop& backdrop;
   Eigen::Isometry3d camera_from_plate;
-  double plate_angle_rad = 0;           ///< the room seems turned back by it
-  std::optional<Eigen::Vector2f> hand;  ///< plate frame, mm: a hand keeps the light off around here
+  Hand hand = {};
 };
 
 struct Photograph {
-  cv::Mat image;   ///< 8-bit blue, green, red, sRGB
-  cv::Mat labels;  ///< 8-bit: 0 none, i + 1 where sherd i covers more than half of the pixel
+  cv::Mat image;    ///< 8-bit blue, green, red, sRGB
+  cv::Mat labels;   ///< 8-bit: 0 none, i + 1 where sherd i covers more than half of the pixel
+  double gain = 1;  ///< by which the exposure multiplied the light
 };
 
 /// Ray casting with 4 samples a pixel, 16 where they disagree. Stopped early: incomplete.

@@ -4,6 +4,7 @@
 
 #include "batch/batch.h"
 #include "virtualrig/noise.h"
+#include "virtualrig/room.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::virtualrig {
@@ -12,11 +13,12 @@ namespace ostraka::virtualrig {
 batch::Plate standardPlate();
 
 /// Linear albedo of the plate's top: felt, marker paper and ink.
-class PlateSurface {
+class PlateSurface final : public Ground {
  public:
   PlateSurface(PlateColor color, std::uint64_t seed);
 
   Eigen::Vector3f albedo(const Eigen::Vector2f& p) const;
+  Eigen::Vector3f meanAlbedo(const Eigen::Vector2f&) const override { return felt_; }
   Eigen::Vector3f felt() const { return felt_; }
   /// Sides of the ring in which paper may lie, mm from the axis: sharp edges only there.
   static constexpr float kRingInner = 127, kRingOuter = 163;

@@ -9,20 +9,13 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr float kLift = 0.03f;   // mm off the surface, so that a ray does not meet its own triangle
-constexpr int kShadowSide = 5;   // 5 x 5 strata a light: penumbras within 3 %
-constexpr int kAmbientSide = 6;  // 6 x 6 directions
+// Strata of a light, side by side: penumbras within 3 %, those of windows, which are wide, too.
+int shadowSide(const Light& light) {
+  return light.radius > 0.25f ? 10 : 5;
+}
 
 double unit(std::uint64_t h, int part) {
   return static_cast<double>((h >> (16 * part)) & 0xFFFF) / 65536.0;
-}
-
-Light softbox(double azimuth, double elevation, double distance, double half_width,
-              double half_height, const Eigen::Vector3f& strength) {
-  const Eigen::Vector3d to(std::cos(azimuth) * std::cos(elevation),
-                           std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
-  const Eigen::Vector3d u = Eigen::Vector3d::UnitZ().cross(to).normalized();
-  return {distance * to, half_width * u, half_height * to.cross(u), strength};
 }
 
 // Share of each light seen from p, by strata shifted together by a hash of the point.
@@ -31,30 +24,35 @@ LightField::Shares seenShares(const Scene& scene, const Room& room, const Eigen:
   LightField::Shares shares{};
   for (int l = 0; l < kLights; ++l) {
     const Light& light = room.lights[l];
+    if (light.strength.isZero()) continue;
+    if (light.hard) {
+      shares[l] = 1;
+      continue;
+    }
     const Eigen::Vector3f to_centre = light.centre.cast<float>() - p;
     const float spread = static_cast<float>(light.half_u.norm() + light.half_v.norm());
     if (normal.dot(to_centre) < -spread) continue;  // wholly behind
     const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(l));
+    const int side = shadowSide(light);
     const auto sees = [&](int i) {
-      const double a = (i % kShadowSide + unit(h, 0)) / kShadowSide;
-      const double b = (i / kShadowSide + unit(h, 1)) / kShadowSide;
+      const double a = (i % side + unit(h, 0)) / side;
+      const double b = (i / side + unit(h, 1)) / side;
       const Eigen::Vector3d q =
           light.centre + (2 * a - 1) * light.half_u + (2 * b - 1) * light.half_v;
       return !scene.blocked(p, q.cast<float>() - p, 1.f);
     };
     // Where the light's corners and middle are all seen or all hidden, so is nearly all between.
-    constexpr std::array<int, 5> kFirst{0, kShadowSide - 1, kShadowSide * kShadowSide / 2,
-                                        kShadowSide * (kShadowSide - 1),
-                                        kShadowSide * kShadowSide - 1};
+    const std::array<int, 5> first{0, side - 1, side * side / 2, side * (side - 1),
+                                   side * side - 1};
     int seen = 0;
-    for (const int i : kFirst) seen += sees(i);
-    if (seen == 0 || seen == static_cast<int>(kFirst.size())) {
+    for (const int i : first) seen += sees(i);
+    if (seen == 0 || seen == static_cast<int>(first.size())) {
       shares[l] = seen > 0 ? 1.f : 0.f;
       continue;
     }
-    for (int i = 0; i < kShadowSide * kShadowSide; ++i)
-      if (std::find(kFirst.begin(), kFirst.end(), i) == kFirst.end()) seen += sees(i);
-    shares[l] = static_cast<float>(seen) / (kShadowSide * kShadowSide);
+    for (int i = 0; i < side * side; ++i)
+      if (std::find(first.begin(), first.end(), i) == first.end()) seen += sees(i);
+    shares[l] = static_cast<float>(seen) / (side * side);
   }
   return shares;
 }
@@ -69,10 +67,11 @@ struct FirstLight {
 
 class AmbientSource {
  public:
-  AmbientSource(const Scene& scene, const Room& room, const Eigen::Vector3f& plate_albedo)
-      : scene_(scene), room_(room), plate_albedo_(plate_albedo) {
+  AmbientSource(const Scene& scene, const Room& room, const Ground& ground,
+                const AmbientOptions& options)
+      : scene_(scene), room_(room), ground_(ground) {
     for (int k = 0; k < kTurns; ++k)
-      rooms_.push_back(turned(room, 2 * std::numbers::pi * k / kTurns));
+      rooms_.push_back(options.turning ? turned(room, 2 * std::numbers::pi * k / kTurns) : room);
   }
 
   Eigen::Vector3f openPlate() const {
@@ -88,9 +87,7 @@ class AmbientSource {
       for (int l = 0; l < kLights; ++l) {
         const Light& light = rooms_[k].lights[l];
         const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(k * kLights + l));
-        const Eigen::Vector3d q = light.centre + (2 * unit(h, 0) - 1) * light.half_u +
-                                  (2 * unit(h, 1) - 1) * light.half_v;
-        shares[l] = scene_.blocked(p, q.cast<float>() - p, 1.f) ? 0.f : 1.f;
+        shares[l] = !light.strength.isZero() && seesLight(scene_, light, p, h) ? 1.f : 0.f;
       }
       sum += directLight(rooms_[k], p, normal, shares);
     }
@@ -101,12 +98,12 @@ class AmbientSource {
   // by its mean over a horizontal element). What is hit sends back a share of its own first light;
   // without a first light it is black.
   Eigen::Vector3f gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-                         std::uint64_t hash, const FirstLight* first) const {
+                         std::uint64_t hash, const FirstLight* first, int side) const {
     const Eigen::Vector3f u = normal.unitOrthogonal(), v = normal.cross(u);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (int i = 0; i < kAmbientSide * kAmbientSide; ++i) {
-      const double a = (i % kAmbientSide + unit(hash, 0)) / kAmbientSide;
-      const double b = (i / kAmbientSide + unit(hash, 1)) / kAmbientSide;
+    for (int i = 0; i < side * side; ++i) {
+      const double a = (i % side + unit(hash, 0)) / side;
+      const double b = (i / side + unit(hash, 1)) / side;
       const auto radius = static_cast<float>(std::sqrt(a)),
                  height = static_cast<float>(std::sqrt(1 - a));
       const auto angle = static_cast<float>(2 * std::numbers::pi * b);
@@ -118,7 +115,7 @@ class AmbientSource {
       else if (first != nullptr)
         sum += hit.sherd < 0 ? fromPlate(p - p.z() / d.z() * d, *first) : fromSherd(hit, *first);
     }
-    return sum / (kAmbientSide * kAmbientSide);
+    return sum / (side * side);
   }
 
  private:
@@ -135,24 +132,24 @@ class AmbientSource {
     constexpr int n = LightField::kGrid;
     const int x = std::clamp(static_cast<int>(std::lround(p.x())) + n / 2, 0, n - 1),
               y = std::clamp(static_cast<int>(std::lround(p.y())) + n / 2, 0, n - 1);
-    return plate_albedo_.cwiseProduct(first.plate[static_cast<std::size_t>(y) * n + x]);
+    return ground_.meanAlbedo(p.head<2>())
+        .cwiseProduct(first.plate[static_cast<std::size_t>(y) * n + x]);
   }
 
   const Scene& scene_;
   const Room& room_;
-  Eigen::Vector3f plate_albedo_;
+  const Ground& ground_;
   std::vector<Room> rooms_;
 };
 
 // Cells of the plate near enough to a sherd for it to shade them or to take sky from them.
-std::vector<char> nearSherds(const Scene& scene) {
+std::vector<char> nearSherds(const Scene& scene, float shadow_reach) {
   constexpr int n = LightField::kGrid;
   std::vector<char> close(static_cast<std::size_t>(n) * n, 0);
   for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& p : scene.vertices(static_cast<int>(s))) box.extend(p);
-    const float reach =
-        3.f * box.max().z() + 3;  // lights stand above 24 degrees even at their edge
+    const float reach = shadow_reach * box.max().z() + 3;
     for (int y = 0; y < n; ++y)
       for (int x = 0; x < n; ++x) {
         const Eigen::Vector2f p(static_cast<float>(x - n / 2), static_cast<float>(y - n / 2));
@@ -173,6 +170,19 @@ void overBlocks(std::size_t count, int threads, const Body& body) {
 }
 
 }  // namespace
+
+Light softbox(double azimuth, double elevation, double distance, double half_width,
+              double half_height, const Eigen::Vector3f& strength) {
+  const Eigen::Vector3d to(std::cos(azimuth) * std::cos(elevation),
+                           std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
+  const Eigen::Vector3d u = Eigen::Vector3d::UnitZ().cross(to).normalized();
+  Light light;
+  light.centre = distance * to;
+  light.half_u = half_width * u;
+  light.half_v = half_height * to.cross(u);
+  light.strength = strength;
+  return light;
+}
 
 Room makeRoom(Random& random) {
   Room room;
@@ -214,7 +224,7 @@ LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed,
     });
   }
   constexpr int n = LightField::kGrid;
-  const std::vector<char> close = nearSherds(scene);
+  const std::vector<char> close = nearSherds(scene, room.shadow_reach);
   field.plate.assign(static_cast<std::size_t>(n) * n, {1, 1, 1});
   overBlocks(field.plate.size(), threads, [&](std::size_t i) {
     if (!close[i]) return;
@@ -225,11 +235,19 @@ LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed,
   return field;
 }
 
-AmbientField gatherAmbient(const Scene& scene, const Room& room, const PlateSurface& plate,
-                           std::uint64_t seed, int threads) {
-  const AmbientSource source(scene, room, plate.felt());
+bool seesLight(const Scene& scene, const Light& light, const Eigen::Vector3f& p,
+               std::uint64_t hash) {
+  const Eigen::Vector3d q = light.centre + (2 * unit(hash, 0) - 1) * light.half_u +
+                            (2 * unit(hash, 1) - 1) * light.half_v;
+  return !scene.blocked(p, q.cast<float>() - p, 1.f);
+}
+
+AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& ground,
+                           std::uint64_t seed, const AmbientOptions& options) {
+  const AmbientSource source(scene, room, ground, options);
+  const int threads = options.threads;
   constexpr int n = LightField::kGrid;
-  const std::vector<char> close = nearSherds(scene);
+  const std::vector<char> close = nearSherds(scene, room.shadow_reach);
   const auto cell = [](std::size_t i) {
     return Eigen::Vector3f(static_cast<float>(static_cast<int>(i % n) - n / 2),
                            static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
@@ -244,21 +262,27 @@ AmbientField gatherAmbient(const Scene& scene, const Room& room, const PlateSurf
       const auto& normals = scene.normals(static_cast<int>(s));
       vertices[s].resize(points.size());
       overBlocks(points.size(), threads, [&](std::size_t i) {
-        vertices[s][i] = body(points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
+        vertices[s][i] =
+            body(points[i] + kLift * normals[i], normals[i], mixed(seed + s, i), options.side);
       });
     }
     overBlocks(cells.size(), threads, [&](std::size_t i) {
-      if (close[i]) cells[i] = body(cell(i), Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+      if (close[i])
+        cells[i] =
+            body(cell(i), Eigen::Vector3f::UnitZ(), mixed(seed + 991, i), options.ground_side);
     });
   };
   FirstLight first;
   first.plate.assign(field.plate.size(), source.openPlate());
-  over(first.vertices, first.plate, [&](const auto& p, const auto& normal, std::uint64_t hash) {
-    return Eigen::Vector3f(source.lamps(p, normal, hash) + source.gather(p, normal, hash, nullptr));
-  });
-  over(field.vertices, field.plate, [&](const auto& p, const auto& normal, std::uint64_t hash) {
-    return source.gather(p, normal, hash, &first);
-  });
+  over(first.vertices, first.plate,
+       [&](const auto& p, const auto& normal, std::uint64_t hash, int side) {
+         return Eigen::Vector3f(source.lamps(p, normal, hash) +
+                                source.gather(p, normal, hash, nullptr, side));
+       });
+  over(field.vertices, field.plate,
+       [&](const auto& p, const auto& normal, std::uint64_t hash, int side) {
+         return source.gather(p, normal, hash, &first, side);
+       });
   return field;
 }
 
@@ -271,7 +295,7 @@ Eigen::Vector3f directLight(const Room& room, const Eigen::Vector3f& p,
     const Eigen::Vector3f d = centre - p;
     const float square = d.squaredNorm(), cosine = normal.dot(d) / std::sqrt(square);
     // A light of angular radius asin(w) sets over a horizon of 2 w instead of at once.
-    constexpr float w = 0.2f;
+    const float w = room.lights[l].radius;
     const float facing = cosine > w    ? cosine
                          : cosine < -w ? 0.f
                                        : (cosine + w) * (cosine + w) / (4 * w);

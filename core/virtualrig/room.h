@@ -3,23 +3,37 @@
 #include <stop_token>
 #include <vector>
 
-#include "virtualrig/plate_surface.h"
+#include "virtualrig/noise.h"
 #include "virtualrig/scene.h"
 
 namespace ostraka::virtualrig {
 
 inline constexpr int kLights = 3;
 
-/// A rectangular softbox that looks at the plate's middle. Room frame: the plate's at stop 0.
+/// What sherds lie on, seen from above: its colour sends light back to them.
+class Ground {
+ public:
+  virtual ~Ground() = default;
+  /// Linear albedo around a point, without its fine pattern.
+  virtual Eigen::Vector3f meanAlbedo(const Eigen::Vector2f& p) const = 0;
+};
+
+/// A rectangular light that looks at the plate's middle. Room frame: the plate's at stop 0.
 struct Light {
   Eigen::Vector3d centre, half_u, half_v;
-  Eigen::Vector3f
-      strength;  ///< irradiance that it gives an element facing it at the plate's middle
+  /// Irradiance that it gives an element facing it at the plate's middle.
+  Eigen::Vector3f strength = Eigen::Vector3f::Zero();
+  float radius = 0.2f;  ///< sine of its angular radius: it sets over a horizon of twice that
+  bool hard = false;    ///< small or far: its shadows have edges, cast anew for each look
 };
 struct Room {
   std::array<Light, kLights> lights;
-  Eigen::Vector3f sky;  ///< irradiance from everywhere else on an open horizontal element
+  Eigen::Vector3f sky;     ///< irradiance from everywhere else on an open horizontal element
+  float shadow_reach = 3;  ///< length of the longest shadows, in heights of what casts them
 };
+/// A light of this width and height at a distance, mm, turned towards the plate's middle.
+Light softbox(double azimuth_rad, double elevation_rad, double distance, double half_width,
+              double half_height, const Eigen::Vector3f& strength);
 Room makeRoom(Random& random);
 /// The room turned against the plate, so that shadows stay with the room: plate_from_room.
 Room turned(const Room& room, double plate_angle_rad);
@@ -37,9 +51,21 @@ struct AmbientField {
   std::vector<Eigen::Vector3f> plate;
 };
 
+/// Hard lights count as seen: `seesLight` tells.
 LightField castShadows(const Scene& scene, const Room& room_plate, std::uint64_t seed, int threads);
-AmbientField gatherAmbient(const Scene& scene, const Room& room, const PlateSurface& plate,
-                           std::uint64_t seed, int threads);
+
+struct AmbientOptions {
+  bool turning = true;  ///< the plate turns in the room: lamps are averaged over its turns
+  int side = 6;         ///< side x side directions at each vertex of a sherd
+  int ground_side = 6;  ///< the same at each cell of the ground; white paper shows their noise
+  int threads = 0;
+};
+AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& ground,
+                           std::uint64_t seed, const AmbientOptions& options);
+
+/// Whether p sees a light at a place of it that the hash chooses. p lies off its own surface.
+bool seesLight(const Scene& scene, const Light& light, const Eigen::Vector3f& p,
+               std::uint64_t hash);
 
 /// Irradiance on an element with this unit normal, from lights of which it sees these shares.
 Eigen::Vector3f directLight(const Room& room_plate, const Eigen::Vector3f& p,

@@ -7,6 +7,9 @@
 
 namespace ostraka::virtualrig {
 
+/// mm off a surface, so that a ray does not meet its own triangle.
+inline constexpr float kLift = 0.03f;
+
 /// Sherds as they lie on one side of a batch, ready for rays. Everything in the plate's frame, mm.
 class Scene {
  public:

@@ -6,25 +6,11 @@
 
 #include "base/parallel.h"
 #include "rig/plate_print.h"
+#include "virtualrig/layout.h"
 #include "virtualrig/plate_surface.h"
 
 namespace ostraka::virtualrig {
 namespace {
-
-// x right, y down, z towards `target`; the world's z stays up in the picture.
-Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
-                            double roll) {
-  const Eigen::Vector3d z = (target - eye).normalized();
-  const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized(), y = z.cross(x);
-  Eigen::Matrix3d camera_from_room;
-  camera_from_room << x.transpose(), y.transpose(), z.transpose();
-  camera_from_room =
-      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * camera_from_room;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = camera_from_room;
-  pose.translation() = -camera_from_room * eye;
-  return pose;
-}
 
 struct Order {
   VesselForm form = VesselForm::Bowl;
@@ -50,7 +36,7 @@ void choosePlace(Order& order, Random& random) {
 }
 
 // Sizes spread as in a bag of sherds, shrunk together when their area would not fit on the plate.
-std::vector<double> drawRadii(int count, Random& random) {
+std::vector<double> drawRadii(int count, const FreeArea& free, Random& random) {
   std::vector<double> radii;
   double area = 0;
   for (int i = 0; i < count; ++i) {
@@ -58,13 +44,27 @@ std::vector<double> drawRadii(int count, Random& random) {
     radii.push_back(38 - 25 * rank + random.uniform(-2, 2));
     area += radii.back() * radii.back();
   }
-  const double most = 0.36 * 124 * 124;  // of the plate's disc: still found by trying
+  const double most = 0.36 * free.area() / std::numbers::pi;  // still found by trying
   if (area > most)
     for (double& r : radii) r *= std::sqrt(most / area);
   return radii;
 }
 
 }  // namespace
+
+Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
+                            double roll) {
+  const Eigen::Vector3d z = (target - eye).normalized();
+  const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized(), y = z.cross(x);
+  Eigen::Matrix3d camera_from_room;
+  camera_from_room << x.transpose(), y.transpose(), z.transpose();
+  camera_from_room =
+      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * camera_from_room;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = camera_from_room;
+  pose.translation() = -camera_from_room * eye;
+  return pose;
+}
 
 Eigen::Isometry3d VirtualRig::cameraFromPlate(int camera, int stop) const {
   return camera_from_room[camera] * Eigen::AngleAxisd(angles_rad[stop], Eigen::Vector3d::UnitZ());
@@ -151,8 +151,9 @@ std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random&
 
 Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
   Random random(mixed(options.seed, 1));
-  const std::vector<double> radii =
-      options.radii_mm.empty() ? drawRadii(options.sherds, random) : options.radii_mm;
+  const std::vector<double> radii = options.radii_mm.empty()
+                                        ? drawRadii(options.sherds, freeArea(options), random)
+                                        : options.radii_mm;
   std::vector<Order> orders(static_cast<std::size_t>(options.sherds));
   for (int i = 0; i < options.sherds; ++i) {
     Order& order = orders[i];

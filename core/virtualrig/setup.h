@@ -19,6 +19,10 @@ struct VirtualRig {
   int cameras() const { return static_cast<int>(intrinsics.size()); }
   Eigen::Isometry3d cameraFromPlate(int camera, int stop) const;
 };
+/// camera_from_room: x right, y down, z towards `target`; the room's z stays up in the picture, up
+/// to the roll.
+Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
+                            double roll_rad);
 /// Three cameras on an arc, drawn by chance around one design.
 VirtualRig makeRig(int width, int stops, Random& random);
 /// A calibrated rig, its pictures scaled so that the first camera's have this width.

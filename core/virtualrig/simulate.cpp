@@ -1,14 +1,13 @@
 #include "virtualrig/simulate.h"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <thread>
 
 #include "base/new_folder.h"
 #include "base/parallel.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/photograph.h"
+#include "virtualrig/shot_report.h"
+#include "virtualrig/simulate_by_hand.h"
 #include "virtualrig/virtual_scan.h"
 
 namespace ostraka::virtualrig {
@@ -24,7 +23,7 @@ struct Mishap {
   bool missing = false;
   double kept_share = 1;
   double extra_blur_px = 0;
-  std::optional<Eigen::Vector2f> hand;
+  Hand hand;
 };
 
 Mishap mishapOf(const SimulateOptions& options, batch::Side side, int camera, int stop) {
@@ -55,37 +54,10 @@ Mishap mishapOf(const SimulateOptions& options, batch::Side side, int camera, in
   return m;
 }
 
-// First error of many parallel writers, and progress from the stage's own thread.
-class Report {
- public:
-  Report(Progress& progress, std::int64_t total) : progress_(progress), total_(total) {}
-  void done(const Result<void>& result) {
-    if (!result) {
-      const std::lock_guard lock(guard_);
-      if (error_.what.empty()) error_ = result.error();
-    }
-    const std::int64_t now = ++done_;
-    if (std::this_thread::get_id() == owner_) progress_.report(now, total_);
-  }
-  bool failed() const {
-    const std::lock_guard lock(guard_);
-    return !error_.what.empty();
-  }
-  Result<void> result() const { return failed() ? Result<void>(error_) : Result<void>(); }
-
- private:
-  Progress& progress_;
-  std::int64_t total_;
-  std::atomic<std::int64_t> done_{0};
-  std::thread::id owner_ = std::this_thread::get_id();
-  mutable std::mutex guard_;
-  Error error_;
-};
-
 class Studio {
  public:
   Studio(const SimulateOptions& options, const VirtualRig& rig, const Room& room,
-         const PlateSurface& plate, std::stop_token stop, Report& report)
+         const PlateSurface& plate, std::stop_token stop, ShotReport& report)
       : options_(options),
         rig_(rig),
         room_(room),
@@ -101,7 +73,8 @@ class Studio {
                   int last) {
     const Scene scene(sherds, poses);
     const std::uint64_t seed = mixed(options_.seed, side == batch::Side::Front ? 101 : 102);
-    const AmbientField ambient = gatherAmbient(scene, room_, plate_, seed, options_.threads);
+    const AmbientField ambient =
+        gatherAmbient(scene, room_, plate_, seed, {.threads = options_.threads});
     std::vector<Room> rooms;
     std::vector<LightField> fields;
     for (int s = first; s < last && !stop_.stop_requested(); ++s) {
@@ -114,14 +87,12 @@ class Studio {
                   const int s = static_cast<int>(i) / rig_.cameras(),
                             camera = static_cast<int>(i) % rig_.cameras();
                   if (stop_.stop_requested() || report_.failed()) return;
-                  const View view{scene,
-                                  rooms[s],
-                                  fields[s],
-                                  ambient,
-                                  plate_,
-                                  rig_.cameraFromPlate(camera, first + s),
-                                  rig_.angles_rad[first + s],
-                                  {}};
+                  const Hand hand = mishapOf(options_, side, camera, first + s).hand;
+                  const PlateBackdrop backdrop(rooms[s], fields[s], ambient, plate_,
+                                               rig_.angles_rad[first + s], hand);
+                  const View view{scene,   rooms[s], fields[s],
+                                  ambient, backdrop, rig_.cameraFromPlate(camera, first + s),
+                                  hand};
                   report_.done(shoot(view, side, camera, first + s));
                 });
   }
@@ -130,11 +101,12 @@ class Studio {
     const std::vector<VirtualSherd> none;
     const Scene scene(none, {});
     const AmbientField ambient =
-        gatherAmbient(scene, room_, plate_, options_.seed, options_.threads);
+        gatherAmbient(scene, room_, plate_, options_.seed, {.threads = options_.threads});
     const LightField field = castShadows(scene, room_, options_.seed, options_.threads);
+    const PlateBackdrop backdrop(room_, field, ambient, plate_, 0);
     parallelFor(lenses_.size(), options_.threads, [&](std::size_t c) {
       const int camera = static_cast<int>(c);
-      const View view{scene, room_, field, ambient, plate_, rig_.cameraFromPlate(camera, 0), 0, {}};
+      const View view{scene, room_, field, ambient, backdrop, rig_.cameraFromPlate(camera, 0)};
       const Photograph shot =
           photograph(view, lenses_[c], sensor_, mixed(options_.seed, 7000 + c), stop_);
       report_.done(writeJpeg(options_.output / "calib" / ("empty_cam" + std::to_string(c) + ".jpg"),
@@ -159,11 +131,10 @@ class Studio {
   }
 
  private:
-  Result<void> shoot(View view, batch::Side side, int camera, int stop_index) const {
+  Result<void> shoot(const View& view, batch::Side side, int camera, int stop_index) const {
     const Mishap mishap = mishapOf(options_, side, camera, stop_index);
     Sensor sensor = sensor_;
     sensor.blur_px = std::hypot(sensor.blur_px, mishap.extra_blur_px);
-    view.hand = mishap.hand;
     const auto id = static_cast<std::uint64_t>((side == batch::Side::Front ? 0 : 1000) +
                                                stop_index * rig_.cameras() + camera);
     const Photograph shot = photograph(view, lenses_[static_cast<std::size_t>(camera)], sensor,
@@ -175,7 +146,7 @@ class Studio {
     if (Result<void> r = writePng(options_.output / "truth" / "masks" / mask, shot.labels); !r)
       return r;
     if (mishap.missing) return {};
-    return writeJpeg(options_.output / file, shot.image, mishap.kept_share);
+    return writeJpeg(options_.output / file, shot.image, {.kept_share = mishap.kept_share});
   }
 
   const SimulateOptions& options_;
@@ -183,7 +154,7 @@ class Studio {
   const Room& room_;
   const PlateSurface& plate_;
   std::stop_token stop_;
-  Report& report_;
+  ShotReport& report_;
   Sensor sensor_;
   std::vector<LensRays> lenses_;
 };
@@ -214,6 +185,7 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
   const Result<Layout> layout = layOut(*sherds, options, layout_random);
   if (!layout) return layout.error();
   if (stop.stop_requested()) return Error::cancelled();
+  if (options.hand_held) return photographByHand(*sherds, *layout, options, progress, stop);
   const VirtualRig rig = options.rig ? asVirtual(*options.rig, options.width)
                                      : makeRig(options.width, options.stops, rig_random);
   const int stops = static_cast<int>(rig.angles_rad.size());
@@ -222,9 +194,10 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
                 "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
   if (options.scans_only) return writeScans(*sherds, *layout, rig, options, progress, stop);
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
-  if (Result<void> r = writeTruth(options.output / "truth", *sherds, *layout, rig); !r) return r;
+  if (Result<void> r = writeTruth(options.output / "truth", *sherds, *layout, posedImages(rig)); !r)
+    return r;
 
-  Report report(progress, rig.cameras() * (2 * stops + (options.rig ? 1 : 13)));
+  ShotReport report(progress, rig.cameras() * (2 * stops + (options.rig ? 1 : 13)));
   PlateSurface plate(options.plate, options.seed);
   PlateSurface covered = plate;
   if (options.fault == Fault::Covered) covered.coverMarkers(8);
@@ -256,6 +229,11 @@ Result<void> SimulateOptions::check() const {
     return bad("touching counts pairs: at most half the number of sherds.");
   if (scans_only && fault)
     return bad("fault is about photographs, and scans_only makes none; leave one of them out.");
+  if (hand_held) {
+    if (scans_only || fault || rig)
+      return bad("hand_held takes photographs without a rig: no scans_only, no fault, no rig.");
+    if (Result<void> r = hand_held->check(); !r) return r;
+  }
   if (!radii_mm.empty() && static_cast<int>(radii_mm.size()) != sherds)
     return bad("radii_mm must hold one radius per sherd.");
   for (const double radius : radii_mm)
@@ -286,7 +264,7 @@ Result<void> simulateCalibration(const SimulateOptions& options, Progress& progr
   const Room room = makeRoom(room_random);
   const PlateSurface plate(options.plate, options.seed);
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
-  Report report(progress, 13 * kCameras);
+  ShotReport report(progress, 13 * kCameras);
   Studio studio(options, rig, room, plate, stop, report);
   studio.shootEmptyPlate();
   studio.shootBoards();

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "rig/rig.h"
+#include "virtualrig/hand_held.h"
 
 /// A rig for everybody: vessels are made, broken, laid on a plate and photographed, with the truth.
 namespace ostraka::virtualrig {
@@ -49,6 +50,8 @@ struct SimulateOptions {
   /// The cameras and stops of a calibrated rig in place of those drawn by chance; `stops` is not
   /// used then, and there are no pictures of the board, since its lenses are known.
   std::optional<rig::Rig> rig;
+  /// By hand over a printed sheet in place of a rig; the light and the sherds stand still.
+  std::optional<HandHeldOptions> hand_held;
 
   /// Names the field that cannot be; nothing else fails before the first file is written.
   Result<void> check() const;

@@ -84,15 +84,14 @@ class VirtualPlace {
 
   std::string picture(int camera, double degrees, bool small, std::stop_token stop) {
     const Moment now = moment(degrees);
+    const PlateBackdrop backdrop(now.room, *now.light, *now.ambient, plate_, now.angle_rad);
     const View view{*now.scene,
                     now.room,
                     *now.light,
                     *now.ambient,
-                    plate_,
+                    backdrop,
                     rig_.camera_from_room[static_cast<std::size_t>(camera)] *
-                        Eigen::AngleAxisd(now.angle_rad, Eigen::Vector3d::UnitZ()),
-                    now.angle_rad,
-                    {}};
+                        Eigen::AngleAxisd(now.angle_rad, Eigen::Vector3d::UnitZ())};
     const auto c = static_cast<std::size_t>(camera);
     const auto id = static_cast<std::uint64_t>((now.side == batch::Side::Front ? 0 : 1000) +
                                                now.shot * kCameras + camera);
@@ -126,7 +125,7 @@ class VirtualPlace {
     const Room room = turned_(angle);
     if (!ambient_)
       ambient_ = std::make_shared<const AmbientField>(
-          gatherAmbient(*scene_, room_, plate_, seed, options_.threads));
+          gatherAmbient(*scene_, room_, plate_, seed, {.threads = options_.threads}));
     if (!light_ || shot != light_shot_) {
       light_ = std::make_shared<const LightField>(castShadows(
           *scene_, room, mixed(seed, static_cast<std::uint64_t>(shot)), options_.threads));

@@ -19,14 +19,14 @@ TEST(Photograph, ShowsTheMarkersWhereTheTrueCameraProjectsThem) {
   const Scene scene(none, {});
   const int stop = 1;
   const Room room_plate = turned(room, rig.angles_rad[stop]);
-  const AmbientField ambient = gatherAmbient(scene, room, surface, 1, 1);
+  const AmbientField ambient = gatherAmbient(scene, room, surface, 1, {.threads = 1});
   const LightField light = castShadows(scene, room_plate, 2, 1);
   const batch::Plate plate = standardPlate();
   for (int camera = 0; camera < kCameras; ++camera) {
     const rig::Intrinsics& k = rig.intrinsics[static_cast<std::size_t>(camera)];
     const Eigen::Isometry3d camera_from_plate = rig.cameraFromPlate(camera, stop);
-    const View view{
-        scene, room_plate, light, ambient, surface, camera_from_plate, rig.angles_rad[stop], {}};
+    const PlateBackdrop backdrop(room_plate, light, ambient, surface, rig.angles_rad[stop]);
+    const View view{scene, room_plate, light, ambient, backdrop, camera_from_plate};
     const Photograph shot = photograph(view, LensRays(k), Sensor(), 7, {});
     EXPECT_EQ(cv::countNonZero(shot.labels), 0);
     cv::Mat grey;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "virtualrig/layout.h"
+#include "virtualrig/plate_surface.h"
 #include "virtualrig/setup.h"
 
 namespace ostraka::virtualrig {
@@ -23,7 +24,7 @@ TEST(Room, ThePlateUnderASherdIsDark) {
   const Scene scene(*sherds, layout->front);
   const Room room = makeRoom(random);
   const PlateSurface plate(PlateColor::Grey, 3);
-  const AmbientField ambient = gatherAmbient(scene, room, plate, 1, 2);
+  const AmbientField ambient = gatherAmbient(scene, room, plate, 1, {.threads = 2});
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   for (const Eigen::Vector3f& p : scene.vertices(0)) middle += p;
   middle /= static_cast<float>(scene.vertices(0).size());

@@ -1,0 +1,25 @@
+#include "virtualrig/hand_held.h"
+
+namespace ostraka::virtualrig {
+
+Result<void> HandHeldOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (photographs < 3 || photographs > 400)
+    return bad("hand_held must lie between 3 and 400 photographs a side.");
+  if (!(bend_mm >= 0 && bend_mm <= 20)) return bad("bend must lie between 0 and 20 mm.");
+  return {};
+}
+
+Eigen::Vector2d paperSize(SheetSize size) {
+  switch (size) {
+    case SheetSize::A4:
+      return {297, 210};
+    case SheetSize::A3:
+      return {420, 297};
+    case SheetSize::Letter:
+      return {279.4, 215.9};
+  }
+  return {297, 210};
+}
+
+}  // namespace ostraka::virtualrig

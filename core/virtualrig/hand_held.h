@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "base/result.h"
+
+/// Photographs by hand over a printed sheet on a table.
+namespace ostraka::virtualrig {
+
+enum class SheetSize { A4, A3, Letter };
+enum class TableKind { Wood, Cloth, Granite, CuttingMat };
+enum class LightKind {
+  Window,    ///< large and from one side
+  Lamp,      ///< a desk lamp: small, warm, with hard shadows
+  Flash,     ///< at the camera, in a dim room
+  Overcast,  ///< outdoors without sun: from everywhere
+  Sun        ///< hard shadows, blue sky
+};
+enum class CameraKind { Phone, Dslr, Compact };
+
+struct HandHeldOptions {
+  int photographs = 30;  ///< a side
+  SheetSize sheet = SheetSize::A4;
+  TableKind table = TableKind::Wood;
+  LightKind light = LightKind::Window;
+  CameraKind camera = CameraKind::Phone;
+  double bend_mm = 0;  ///< how far the sheet rises from the table at most
+  /// Names the field that cannot be.
+  Result<void> check() const;
+};
+
+/// Width and height of the paper, mm.
+Eigen::Vector2d paperSize(SheetSize size);
+
+}  // namespace ostraka::virtualrig

@@ -1,0 +1,139 @@
+#include "virtualrig/simulate_by_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "virtualrig/batch_files.h"
+#include "virtualrig/exif.h"
+#include "virtualrig/photograph.h"
+#include "virtualrig/sheet_backdrop.h"
+#include "virtualrig/shot_report.h"
+#include "virtualrig/walk_around.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+// A summer's morning: seconds since its midnight as EXIF writes a moment.
+std::string clockTime(double seconds) {
+  const int s = static_cast<int>(seconds);
+  char text[24];
+  std::snprintf(text, sizeof text, "2026:07:14 %02d:%02d:%02d", s / 3600 % 24, s / 60 % 60, s % 60);
+  return text;
+}
+
+class Photographer {
+ public:
+  Photographer(const SimulateOptions& options, const CameraModel& model, std::stop_token stop,
+               ShotReport& report)
+      : options_(options), model_(model), stop_(std::move(stop)), report_(report) {
+    Random sheet_random(mixed(options.seed, 13)), table_random(mixed(options.seed, 14)),
+        room_random(mixed(options.seed, 12));
+    sheet_.emplace(options.hand_held->sheet, options.hand_held->bend_mm, sheet_random);
+    table_.emplace(options.hand_held->table, table_random);
+    room_ = makeRoom(options.hand_held->light, room_random);
+    start_s_ = room_random.uniform(9 * 3600, 16 * 3600);
+  }
+
+  const SheetSurface& sheet() const { return *sheet_; }
+
+  // The shots [first, last) of one side.
+  void shootSide(const Scene& scene, const std::vector<FreeShot>& shots, std::size_t first,
+                 std::size_t last) const {
+    const SheetGround ground(*sheet_, *table_);
+    const std::uint64_t seed = mixed(options_.seed, first == 0 ? 101 : 102);
+    const AmbientField ambient = gatherAmbient(
+        scene, room_, ground, seed,
+        {.turning = false, .side = 8, .ground_side = 16, .threads = options_.threads});
+    if (stop_.stop_requested()) return;
+    const LightField field = castShadows(scene, room_, seed, options_.threads);
+    parallelFor(last - first, options_.threads, [&](std::size_t i) {
+      if (stop_.stop_requested() || report_.failed()) return;
+      report_.done(shoot(scene, ambient, field, shots[first + i], first + i));
+    });
+  }
+
+ private:
+  Result<void> shoot(const Scene& scene, const AmbientField& ambient, const LightField& field,
+                     const FreeShot& shot, std::size_t number) const {
+    const Room room = options_.hand_held->light == LightKind::Flash
+                          ? withFlash(room_, shot.camera_from_plate)
+                          : room_;
+    const SheetBackdrop backdrop(scene, room, field, ambient, *sheet_, *table_);
+    const View view{scene, room, field, ambient, backdrop, shot.camera_from_plate};
+    const Photograph taken = photograph(view, LensRays(shot.intrinsics), shot.sensor,
+                                        mixed(options_.seed, 9000 + number), stop_);
+    if (stop_.stop_requested()) return Error::cancelled();
+    const std::string side = batch::name(shot.side);
+    const std::filesystem::path& folder = options_.output;
+    if (Result<void> r =
+            writePng(folder / "truth" / "masks" / (side + "_" + shot.name + ".png"), taken.labels);
+        !r)
+      return r;
+    CameraNotes notes;
+    notes.make = "Ostraka";
+    notes.model = model_.model;
+    notes.time = clockTime(start_s_ + shot.time_s);
+    notes.exposure_s = std::clamp(taken.gain / 60, 1 / 4000.0, 0.25);
+    notes.fnumber = model_.fnumber;
+    notes.focal_mm = model_.focal_mm;
+    notes.focal_35mm = static_cast<int>(std::lround(36 * model_.focal_per_width));
+    notes.width = shot.intrinsics.width;
+    notes.height = shot.intrinsics.height;
+    return writeJpeg(folder / side / (shot.name + ".jpg"), taken.image,
+                     {.quality = model_.jpeg_quality,
+                      .halved_colors = model_.halved_colors,
+                      .exif = exifSegment(notes)});
+  }
+
+  const SimulateOptions& options_;
+  const CameraModel& model_;
+  std::stop_token stop_;
+  ShotReport& report_;
+  std::optional<SheetSurface> sheet_;
+  std::optional<TableSurface> table_;
+  Room room_;
+  double start_s_ = 0;
+};
+
+std::vector<rig::PosedImage> posedImages(const std::vector<FreeShot>& shots) {
+  std::vector<rig::PosedImage> images;
+  int count = 0;
+  for (const FreeShot& shot : shots) {
+    if (!images.empty() && images.back().side != shot.side) count = 0;
+    images.push_back({std::string(batch::name(shot.side)) + "/" + shot.name + ".jpg", shot.side,
+                      count++, 0, shot.intrinsics, shot.camera_from_plate});
+  }
+  return images;
+}
+
+}  // namespace
+
+Result<void> photographByHand(const std::vector<VirtualSherd>& sherds, const Layout& layout,
+                              const SimulateOptions& options, Progress& progress,
+                              std::stop_token stop) {
+  Random random(mixed(options.seed, 11));
+  const CameraModel model = cameraModel(options.hand_held->camera, random);
+  const std::vector<FreeShot> shots = walkAround(*options.hand_held, model, options.width, random);
+  ShotReport report(progress, static_cast<std::int64_t>(shots.size()));
+  const Photographer photographer(options, model, stop, report);
+
+  Layout lying;
+  for (std::size_t s = 0; s < sherds.size(); ++s) {
+    const auto& vertices = sherds[s].mesh.vertices;
+    lying.front.push_back(restingOn(photographer.sheet(), layout.front[s], vertices));
+    lying.back.push_back(restingOn(photographer.sheet(), layout.back[s], vertices));
+  }
+  if (Result<void> r = writeSheet(options.output / "plate.json", photographer.sheet().plate()); !r)
+    return r;
+  if (Result<void> r = writeTruth(options.output / "truth", sherds, lying, posedImages(shots)); !r)
+    return r;
+  const std::size_t half = shots.size() / 2;
+  photographer.shootSide(Scene(sherds, lying.front), shots, 0, half);
+  if (!stop.stop_requested())
+    photographer.shootSide(Scene(sherds, lying.back), shots, half, shots.size());
+  if (stop.stop_requested()) return Error::cancelled();
+  return report.result();
+}
+
+}  // namespace ostraka::virtualrig

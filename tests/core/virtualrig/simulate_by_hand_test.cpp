@@ -1,0 +1,261 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <set>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cloud/ply.h"
+#include "rig/camera.h"
+#include "rig/plate_markers.h"
+#include "virtualrig/sheet.h"
+#include "virtualrig/simulate.h"
+#include "virtualrig/walk_around.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+namespace fs = std::filesystem;
+
+SimulateOptions small(const fs::path& output) {
+  SimulateOptions options;
+  options.seed = 21;
+  options.sherds = 2;
+  options.width = 640;
+  options.output = output;
+  options.threads = 1;
+  options.hand_held.emplace().photographs = 3;
+  return options;
+}
+
+class BatchByHand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string pattern = (fs::temp_directory_path() / "byhand_XXXXXX").string();
+    root = mkdtemp(pattern.data());
+    QuietProgress quiet;
+    ASSERT_TRUE(simulateBatch(small(root / "one"), quiet, {}));
+  }
+  static void TearDownTestSuite() { fs::remove_all(root); }
+  static fs::path root;
+};
+fs::path BatchByHand::root;
+
+std::map<std::string, std::string> digestsOf(const fs::path& folder) {
+  std::map<std::string, std::string> out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      out[fs::relative(entry.path(), folder).string()] = sha256(*readFile(entry.path()));
+  return out;
+}
+
+fs::path maskOf(const fs::path& batch, const rig::PosedImage& image) {
+  std::string name = image.file.substr(0, image.file.size() - 4) + ".png";
+  name[name.find('/')] = '_';
+  return batch / "truth" / "masks" / name;
+}
+
+TEST_F(BatchByHand, IsReadAsPhotographsOfFreeCamerasOverASheet) {
+  EXPECT_EQ(digestsOf(root / "one").size(), 1u + 3 + 3 + 6 + 2 + 2);
+  QuietProgress quiet;
+  const Result<batch::Batch> batch = batch::readBatch(root / "one", {}, quiet);
+  ASSERT_TRUE(batch) << batch.error().what;
+  EXPECT_EQ(batch->way, batch::Way::FreeCamera);
+  EXPECT_EQ(batch->shots.size(), 6u);
+  ASSERT_TRUE(batch->plate && batch->plate->sheet);
+  EXPECT_TRUE(batch->plate->sheet->sizes().isApprox(Eigen::Vector2d(297, 210)));
+  EXPECT_EQ(batch->plate->markers.size(), 32u);
+}
+
+TEST_F(BatchByHand, HasTheSameBytesForTheSameSeedAndAnyNumberOfThreads) {
+  SimulateOptions options = small(root / "again");
+  options.threads = 3;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  EXPECT_EQ(digestsOf(root / "one"), digestsOf(root / "again"));
+}
+
+TEST_F(BatchByHand, MasksAgreeWithTheProjectedMeshes) {
+  const auto images = *rig::readCameras(root / "one/truth/cameras.json");
+  const auto truth = *readJson(root / "one/truth/sherds.json");
+  ASSERT_EQ(images.size(), 6u);
+  for (const rig::PosedImage& image : images) {
+    const cv::Mat mask = cv::imread(maskOf(root / "one", image).string(), cv::IMREAD_GRAYSCALE);
+    ASSERT_FALSE(mask.empty()) << image.file;
+    cv::Mat drawn(mask.size(), CV_8U, cv::Scalar(0));
+    for (const auto& sherd : truth["sherds"]) {
+      const auto pose =
+          *isometryFromJson(sherd[image.side == batch::Side::Front ? "plate_from_model_front"
+                                                                   : "plate_from_model_back"],
+                            "");
+      const TriangleMesh mesh =
+          readPly(root / "one/truth" / sherd["mesh"].get<std::string>())->mesh;
+      for (const auto& t : mesh.triangles) {
+        std::vector<cv::Point> corners;  // in sixteenths of a pixel
+        for (const int i : t) {
+          const Eigen::Vector2d q = image.project(pose * mesh.vertices[i].cast<double>());
+          corners.emplace_back(static_cast<int>(std::lround(16 * q.x())),
+                               static_cast<int>(std::lround(16 * q.y())));
+        }
+        cv::fillConvexPoly(drawn, corners, 255, cv::LINE_8, 4);
+      }
+    }
+    // OpenCV's polygons take every touched pixel: half a pixel more all around, never less.
+    const double both = cv::countNonZero((mask > 0) & (drawn > 0)),
+                 either = cv::countNonZero(drawn);
+    EXPECT_GT(both, 500) << image.file;
+    EXPECT_GE(both, 0.995 * cv::countNonZero(mask)) << image.file;
+    EXPECT_GT(both / either, 0.9) << image.file;
+  }
+}
+
+// Light paper spreads over black alike on all four sides, as print and sharpening do: corners may
+// lie inside by some tenths of a pixel, the middle of a marker may not.
+TEST_F(BatchByHand, ShowsTheMarkersWhereTheTrueCamerasProjectThem) {
+  const auto images = *rig::readCameras(root / "one/truth/cameras.json");
+  const batch::Plate plate = *batch::readPlate(root / "one/plate.json");
+  for (const rig::PosedImage& image : images) {
+    const cv::Mat photograph = cv::imread((root / "one" / image.file).string());
+    const auto markers = rig::findPlateMarkers(photograph, plate);
+    ASSERT_TRUE(markers);
+    EXPECT_GE(markers->size(), 15u) << image.file;  // 6 px a module at 640 px, less afar
+    for (const rig::SeenMarker& seen : *markers) {
+      Eigen::Vector2d off = Eigen::Vector2d::Zero();
+      for (std::size_t c = 0; c < 4; ++c)
+        off += seen.corners[c] - image.project(plate.markers[seen.id].corners[c]);
+      EXPECT_LT((off / 4).norm(), 0.3) << image.file << " marker " << seen.id;
+    }
+  }
+}
+
+TEST_F(BatchByHand, PhotographsTellTheirTimeAndLens) {
+  const auto images = *rig::readCameras(root / "one/truth/cameras.json");
+  std::set<std::string> times;
+  for (const rig::PosedImage& image : images) {
+    const std::string bytes = *readFile(root / "one" / image.file);
+    EXPECT_NE(bytes.find("Virtual telephone"), std::string::npos) << image.file;
+    const std::size_t at = bytes.find("2026:07:14 ");
+    ASSERT_NE(at, std::string::npos);
+    times.insert(bytes.substr(at, 19));
+  }
+  EXPECT_EQ(times.size(), images.size());
+  EXPECT_TRUE(std::is_sorted(images.begin(), images.end(), [](const auto& a, const auto& b) {
+    return a.side == b.side ? a.file < b.file : a.side < b.side;
+  }));
+}
+
+TEST(WalkAround, StaysWhereAPersonWithATelephoneStands) {
+  HandHeldOptions hand;
+  hand.photographs = 200;
+  Random random(5);
+  const CameraModel model = cameraModel(CameraKind::Phone, random);
+  const std::vector<FreeShot> shots = walkAround(hand, model, 1600, random);
+  ASSERT_EQ(shots.size(), 400u);
+  double sum = 0, squares = 0, rolled = 0, drift = 0;
+  std::set<int> sectors;
+  for (const FreeShot& shot : shots) {
+    const Eigen::Vector3d eye = shot.camera_from_plate.inverse().translation();
+    const double up = std::asin(eye.z() / eye.norm()) * 180 / std::numbers::pi;
+    EXPECT_GT(up, 21.99);
+    EXPECT_LT(up, 72.01);
+    // A4's own distance, up to the 1.5 % by which telephones differ in focal length.
+    EXPECT_GT(eye.norm(), 256);
+    EXPECT_LT(eye.norm(), 335);
+    const double roll = std::asin(shot.camera_from_plate.linear()(0, 2)) * 180 / std::numbers::pi;
+    EXPECT_LT(std::abs(roll), 7.001);
+    rolled = std::max(rolled, std::abs(roll));
+    const double focal = shot.intrinsics.fx / (1600 * model.focal_per_width) - 1;
+    sum += focal;
+    squares += focal * focal;
+    drift += (shot.intrinsics.cx - 799.5) * (shot.intrinsics.cx - 799.5);
+    EXPECT_EQ(shot.intrinsics.distortion, model.distortion);
+    sectors.insert(static_cast<int>(std::floor(std::atan2(eye.y(), eye.x()) / 0.5236)));
+  }
+  // 400 draws: the SD of an SD is 3.5 %, so 12 % is more than 3 sigma.
+  EXPECT_NEAR(std::sqrt(squares / 400), 0.004, 0.0005);
+  EXPECT_LT(std::abs(sum / 400), 0.0008);
+  EXPECT_NEAR(std::sqrt(drift / 400), 3, 0.4);
+  EXPECT_GT(rolled, 4);
+  EXPECT_EQ(sectors.size(), 12u);  // all around
+}
+
+TEST(WalkAround, ACameraOfALongerLensStandsFartherAway) {
+  HandHeldOptions hand;
+  hand.photographs = 20;
+  Random random(6), other(6);
+  const auto nearest = [&](const CameraModel& model, Random& from) {
+    double least = 1e9;
+    for (const FreeShot& shot : walkAround(hand, model, 1600, from))
+      least = std::min(least, shot.camera_from_plate.inverse().translation().norm());
+    return least;
+  };
+  const CameraModel phone = cameraModel(CameraKind::Phone, random),
+                    dslr = cameraModel(CameraKind::Dslr, other);
+  EXPECT_NEAR(nearest(dslr, other) / nearest(phone, random),
+              dslr.focal_per_width / phone.focal_per_width, 0.01);
+}
+
+TEST(Sheet, RisesByItsBendAndSherdsLieOnIt) {
+  Random random(3);
+  const SheetSurface sheet(SheetSize::A4, 3, random);
+  float low = 1e9f, high = -1e9f;
+  for (float x = -148; x <= 148; x += 4)
+    for (float y = -104; y <= 104; y += 4) {
+      const float z = sheet.height({x, y});
+      low = std::min(low, z);
+      high = std::max(high, z);
+      const float step = 0.5f;
+      EXPECT_NEAR(sheet.slope({x, y}).x(),
+                  (sheet.height({x + step, y}) - sheet.height({x - step, y})) / (2 * step), 1e-4);
+    }
+  EXPECT_NEAR(high, 3, 0.1);
+  EXPECT_NEAR(low, 0, 0.1);
+  std::vector<Eigen::Vector3f> body;
+  for (float x = -20; x <= 20; ++x)
+    for (float y = -20; y <= 20; ++y) body.emplace_back(x, y, 0.f);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(60, -30, 0);
+  const Eigen::Isometry3d lying = restingOn(sheet, pose, body);
+  float gap = 1e9f, widest = 0;
+  for (const Eigen::Vector3f& v : body) {
+    const Eigen::Vector3f p = (lying * v.cast<double>()).cast<float>();
+    gap = std::min(gap, p.z() - sheet.height(p.head<2>()));
+    widest = std::max(widest, p.z() - sheet.height(p.head<2>()));
+  }
+  EXPECT_NEAR(gap, 0, 1e-4);
+  EXPECT_LT(widest, 0.5);  // it is tilted along: untilted, up to 1.5 mm of air
+}
+
+TEST(Sheet, OfAnySizeHasItsMarkersOnThePaper) {
+  for (const SheetSize size : {SheetSize::A4, SheetSize::A3, SheetSize::Letter}) {
+    const batch::Plate plate = sheetPlate(size);
+    EXPECT_GE(plate.markers.size(), 30u);
+    EXPECT_LE(plate.markers.size(), 100u);  // of DICT_5X5_100
+    for (std::size_t i = 0; i < plate.markers.size(); ++i) {
+      EXPECT_EQ(plate.markers[i].id, static_cast<int>(i));
+      for (const Eigen::Vector3d& c : plate.markers[i].corners)
+        EXPECT_TRUE(plate.sheet->contains(c.head<2>()));
+    }
+  }
+}
+
+TEST(HandHeldOptions, NameTheFieldThatCannotBe) {
+  SimulateOptions options = small("x");
+  options.hand_held->photographs = 2;
+  EXPECT_NE(options.check().error().what.find("hand_held"), std::string::npos);
+  options = small("x");
+  options.hand_held->bend_mm = 50;
+  EXPECT_NE(options.check().error().what.find("bend"), std::string::npos);
+  options = small("x");
+  options.fault = Fault::Blur;
+  EXPECT_NE(options.check().error().what.find("no fault"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ostraka::virtualrig

@@ -109,11 +109,19 @@ void addSimulate(CLI::App& rig, Command& chosen) {
       ->capture_default_str();
   command->add_option("--stops", options->stops, "Stops of the plate in a turn")
       ->capture_default_str();
-  command->add_option("--plate", options->plate, "Colour of the plate: dark or grey")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PlateColor>{
-          {"dark", PlateColor::Dark}, {"grey", PlateColor::Grey}}))
+  command->add_option("--plate", options->plate, "Colour of the plate: dark, mid, light or white")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, PlateColor>{{"dark", PlateColor::Dark},
+                                                                    {"mid", PlateColor::Grey},
+                                                                    {"grey", PlateColor::Grey},
+                                                                    {"light", PlateColor::Light},
+                                                                    {"white", PlateColor::White}}))
       ->default_str("dark");
   command->add_flag("--plain", options->plain, "Plain clay: neither slip nor paint");
+  command->add_option("--gloss", options->gloss,
+                      "Share of shiny sherds, 0 to 1, among usual, black, grey and white clays");
+  command->add_option("--fstop", options->fstop,
+                      "Depth of field at this f-number; 0: everything sharp");
   command->add_flag("--scramble", options->scramble, "The sherds change places at the flip");
   command->add_option("--lookalikes", options->lookalikes, "Groups of two that look alike")
       ->capture_default_str();

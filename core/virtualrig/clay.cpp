@@ -102,6 +102,41 @@ Clay makeClay(bool plain, Random& random) {
   return clay;
 }
 
+void widen(Clay& clay, double shiny_share, Random& random) {
+  const double kind = random.uniform();
+  if (kind < 0.4) {  // fired without air, or of white earth: nearly neutral
+    static constexpr std::array<double, 5> kGreys{0.035, 0.07, 0.14, 0.3, 0.58};
+    const auto grey = static_cast<float>(kGreys[static_cast<std::size_t>(random.below(5))]) *
+                      static_cast<float>(random.uniform(0.85, 1.15));
+    for (int c = 0; c < 3; ++c)
+      clay.body[c] = grey * static_cast<float>(random.uniform(0.96, 1.04));
+    clay.core = clay.body * static_cast<float>(random.uniform(0.5, 1.0));
+    clay.core_strength *= 0.5f;
+    if (grey < 0.1f) clay.mottle *= 0.7f;
+  }
+  const double color = random.uniform();
+  if (color < 0.3)
+    clay.slip = Eigen::Vector3f(0.017f, 0.015f, 0.0145f);  // black gloss
+  else if (color < 0.5)
+    clay.slip = Eigen::Vector3f(0.055f, 0.019f, 0.013f);  // brown, misfired black
+  else if (color < 0.65)
+    clay.slip = Eigen::Vector3f(0.60f, 0.56f, 0.49f);  // white
+  const double shines = random.uniform(), rubbed = random.uniform();
+  const auto worn = static_cast<float>(random.uniform(0.05, 0.35));
+  const Gloss shine{static_cast<float>(random.uniform(0.5, 1.0)),
+                    static_cast<float>(random.uniform(0.14, 0.36))};
+  if (shines >= shiny_share) return;
+  clay.shine = shine;
+  clay.burnished = rubbed < 0.3;
+  clay.slip_outside = !clay.burnished;
+  clay.slip_inside = clay.slip_inside || (clay.slip_outside && rubbed > 0.6);
+  clay.slip_worn = worn;
+  if (clay.burnished) {
+    clay.slip_inside = false;
+    clay.grain *= 0.6f;
+  }
+}
+
 ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p, const ClayPlace& place) {
   const bool broken = place.broken > 0.4f;
   Eigen::Vector3f albedo = clay.body;
@@ -114,12 +149,15 @@ ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p, const ClayPlac
   mixTemper(p + Eigen::Vector3f(0.37f, 0.21f, 0.11f), 0.62f * clay.temper_mm, 1.3f * clay.temper,
             clay.seed + 3, albedo);
   mixTemper(p, 0.45f, 0.12f, clay.seed + 4, albedo);
+  Gloss shine = clay.shine;
+  shine.weight = clay.burnished && !broken ? shine.weight : 0;
   if (!broken) {
     const bool outside = place.depth < 0.5f;
     if ((outside && clay.slip_outside) || (!outside && clay.slip_inside)) {
       const float left = fractalNoise(p / 3, clay.seed + 11, 4) * 0.5f + 0.5f;
       const float kept = smoothStep(clay.slip_worn - 0.05f, clay.slip_worn + 0.05f, left);
       albedo += 0.92f * kept * (clay.slip - albedo);
+      if (!clay.burnished) shine.weight = kept * clay.shine.weight;
     }
     if (clay.paint != Paint::None && outside)
       albedo += 0.9f * painted(clay, place, p) * (clay.paint_color - albedo);
@@ -129,15 +167,19 @@ ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p, const ClayPlac
   const NoiseValue fine = noiseWithGradient(p / 0.21f, clay.seed + 23);
   albedo *= std::max(
       0.25f, 1 + clay.mottle * clouds + clay.grain * (2.2f * grain.value + 1.4f * fine.value));
-  if (!broken)
-    return {albedo, 0.22f * clay.roughness * (0.8f * grain.gradient + 0.35f * fine.gradient),
-            kFaceGlitter};
+  if (!broken) {
+    const float even = 1 - 0.6f * std::min(1.f, shine.weight);  // what shines is smooth
+    return {albedo, 0.22f * clay.roughness * even * (0.8f * grain.gradient + 0.35f * fine.gradient),
+            kFaceGlitter * even, shine};
+  }
   // A break is rough at every scale, about as steep at each; its pits hold soil and see less light.
   const NoiseValue pits = noiseWithGradient(p / 0.84f, clay.seed + 24);
   const float height_mm = 0.84f * pits.value + 0.42f * grain.value + 0.21f * fine.value;
   albedo *= kSoil * std::exp(clay.pits_per_mm * height_mm);
-  return {albedo, clay.roughness * (pits.gradient + grain.gradient + 0.7f * fine.gradient),
-          kBreakGlitter};
+  return {albedo,
+          clay.roughness * (pits.gradient + grain.gradient + 0.7f * fine.gradient),
+          kBreakGlitter,
+          {}};
 }
 
 }  // namespace ostraka::virtualrig

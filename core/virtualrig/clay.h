@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "virtualrig/gloss.h"
 #include "virtualrig/noise.h"
 
 namespace ostraka::virtualrig {
@@ -29,16 +30,21 @@ struct Clay {
   float temper_mm = 1.6f;    ///< cell of the coarse temper
   float roughness = 0.45f;   ///< slope of the relief finer than the mesh, on the break
   float pits_per_mm = 1.3f;  ///< darkening of that relief's pits, per mm of its height at slope 1
+  Gloss shine;               ///< of the slip, or of the whole face where it was burnished
+  bool burnished = false;    ///< no slip: the face itself was rubbed until it shone
   std::uint32_t seed = 0;
 };
 
 /// plain: neither slip nor paint, one colour with fine temper only.
 Clay makeClay(bool plain, Random& random);
+/// Black, grey and white clays and slips among the usual ones; a share of all shines.
+void widen(Clay& clay, double shiny_share, Random& random);
 
 struct ClaySample {
   Eigen::Vector3f albedo;
   Eigen::Vector3f slope;  ///< to be taken from the unit normal before normalising: fine relief
   float glitter = 0;      ///< relative SD of one sample's light from view to view
+  Gloss shine;
 };
 /// p_model: mm in the sherd's model frame.
 ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p_model, const ClayPlace& place);

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "virtualrig/highlights.h"
 #include "virtualrig/sensor.h"
 
 namespace ostraka::virtualrig {
 namespace {
 
 constexpr int kTile = 16;
+constexpr float kSharp_px = 0.6f;  // a blur that is lost in the lens's own
 
 // Just inside a pixel's corners: an edge that passes between them is wider than a pixel.
 constexpr std::array<std::array<float, 2>, 4> kCorners{
@@ -22,6 +24,8 @@ class Renderer {
     const Eigen::Isometry3d plate_from_camera = view.camera_from_plate.inverse();
     origin_ = plate_from_camera.translation().cast<float>();
     turn_ = plate_from_camera.linear().cast<float>();
+    aperture_ = static_cast<float>(view.focus.aperture_mm);
+    inverse_focus_ = static_cast<float>(1 / view.focus.distance_mm);
     for (std::size_t s = 0; s < view.scene.sherds().size(); ++s)
       model_turns_.push_back(view.scene.pose(static_cast<int>(s)).linear().cast<float>());
     markTiles();
@@ -31,8 +35,11 @@ class Renderer {
   Eigen::Vector3f pixel(int x, int y, std::uint8_t& label) const {
     label = 0;
     const Ray centre = ray(x, y, 0, 0);
-    if (!tiles_[static_cast<std::size_t>(y / kTile) * tile_columns_ + x / kTile])
-      return openPixel(x, y, centre);
+    if (!tiles_[static_cast<std::size_t>(y / kTile) * tile_columns_ + x / kTile]) {
+      const float blur = blurOf(depthOfGround(centre));
+      if (blur < kSharp_px || view_.backdrop.even(centre)) return openPixel(x, y, centre);
+      return lensPixel(x, y, blur, false);
+    }
     static constexpr std::array<std::array<float, 2>, 4> kRotated{
         {{-0.375f, -0.125f}, {-0.125f, 0.375f}, {0.125f, -0.375f}, {0.375f, 0.125f}}};
     std::array<Scene::Hit, 4> hits;
@@ -42,20 +49,76 @@ class Renderer {
       hits[k] = view_.scene.nearest(r.origin, r.direction);
       same = same && hits[k].sherd == hits[0].sherd;
     }
+    label = same ? static_cast<std::uint8_t>(hits[0].sherd + 1) : edgeLabel(x, y);
+    const float blur = blurOf(hits[0].sherd < 0 ? depthOfGround(centre) : hits[0].distance);
+    if (blur >= kSharp_px) return lensPixel(x, y, blur, true);
     if (same && hits[0].sherd < 0) return openPixel(x, y, centre);
+    if (!same) return edgePixel(x, y);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    if (same) {
-      for (int k = 0; k < 4; ++k) sum += sherdLight(hits[k], sampleHash(x, y, k));
-      label = static_cast<std::uint8_t>(hits[0].sherd + 1);
-      return sum / 4;
+    for (int k = 0; k < 4; ++k) {
+      const Ray r = ray(x, y, kRotated[k][0], kRotated[k][1]);
+      sum += sherdLight(hits[k], r, sampleHash(x, y, k));
     }
-    return edgePixel(x, y, label);
+    return sum / 4;
   }
 
  private:
   Ray ray(int x, int y, float dx, float dy) const {
     const Eigen::Vector2f n = lens_.at(x, y, dx, dy);
     return {origin_, turn_ * Eigen::Vector3f(n.x(), n.y(), 1)};
+  }
+
+  // Through a point of the lens, in radii from its middle, towards what the pinhole has in focus.
+  Ray lensRay(int x, int y, float dx, float dy, const Eigen::Vector2f& lens) const {
+    const Eigen::Vector2f n = lens_.at(x, y, dx, dy), o = 0.5f * aperture_ * lens;
+    const Eigen::Vector2f d = n - o * inverse_focus_;
+    return {origin_ + turn_ * Eigen::Vector3f(o.x(), o.y(), 0),
+            turn_ * Eigen::Vector3f(d.x(), d.y(), 1)};
+  }
+
+  // Rays have a length of 1 along the optical axis: what they travel is the depth.
+  static float depthOfGround(const Ray& r) {
+    return r.direction.z() < 0 ? -r.origin.z() / r.direction.z() : 1e6f;
+  }
+  // Diameter of a point's picture at this depth, pixels.
+  float blurOf(float depth) const {
+    return aperture_ * static_cast<float>(lens_.intrinsics().fx) *
+           std::abs(1 / depth - inverse_focus_);
+  }
+
+  // Out of focus: samples spread over lens and pixel together, more the wider they spread.
+  Eigen::Vector3f lensPixel(int x, int y, float blur_px, bool with_sherds) const {
+    const int first = blur_px < 1.5f ? 6 : 8,
+              most = static_cast<int>(std::clamp(8 * blur_px, 12.f, 32.f));
+    const std::uint64_t hash = sampleHash(x, y, 0);
+    const float start = static_cast<float>(hash & 0xFFFF) / 65536.f * 6.2831853f;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    float low = 1e9f, high = 0;
+    const auto look = [&](int k, int count) {
+      // Vogel's spiral over the lens; the R2 sequence over the pixel.
+      const float radius = std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count)),
+                  angle = start + 2.3999632f * static_cast<float>(k);
+      const auto part = [&](float step, int shift) {
+        const float at =
+            step * static_cast<float>(k) + static_cast<float>((hash >> shift) & 0xFFFF) / 65536.f;
+        return at - std::floor(at) - 0.5f;
+      };
+      const Ray r = lensRay(x, y, part(0.7548777f, 16), part(0.5698403f, 32),
+                            radius * Eigen::Vector2f(std::cos(angle), std::sin(angle)));
+      const std::uint64_t own = mixed(hash, static_cast<std::uint64_t>(k + 100 * count));
+      const Scene::Hit hit =
+          with_sherds ? view_.scene.nearest(r.origin, r.direction) : Scene::Hit{};
+      const Eigen::Vector3f light =
+          hit.sherd < 0 ? view_.backdrop.light(r, own) : sherdLight(hit, r, own);
+      low = std::min(low, light.y());
+      high = std::max(high, light.y());
+      sum += light;
+    };
+    for (int k = 0; k < first; ++k) look(k, first);
+    if (high < 1.3f * low) return sum / static_cast<float>(first);
+    sum.setZero();
+    for (int k = 0; k < most; ++k) look(k, most);
+    return sum / static_cast<float>(most);
   }
 
   void markTiles() {
@@ -67,32 +130,43 @@ class Renderer {
     const float reach = 1.5f + 0.65f * static_cast<float>(k.fx) / 500;
     for (std::size_t s = 0; s < view_.scene.sherds().size(); ++s)
       for (const Eigen::Vector3f& p : view_.scene.vertices(static_cast<int>(s))) {
-        const Eigen::Vector2f q =
-            k.project(view_.camera_from_plate * p.cast<double>()).cast<float>();
-        const int left = static_cast<int>(std::floor((q.x() - reach) / kTile)),
-                  right = static_cast<int>(std::floor((q.x() + reach) / kTile));
-        const int top = static_cast<int>(std::floor((q.y() - reach) / kTile)),
-                  bottom = static_cast<int>(std::floor((q.y() + reach) / kTile));
+        const Eigen::Vector3d p_camera = view_.camera_from_plate * p.cast<double>();
+        const Eigen::Vector2f q = k.project(p_camera).cast<float>();
+        const float wide = reach + 0.5f * blurOf(static_cast<float>(p_camera.z()));
+        const int left = static_cast<int>(std::floor((q.x() - wide) / kTile)),
+                  right = static_cast<int>(std::floor((q.x() + wide) / kTile));
+        const int top = static_cast<int>(std::floor((q.y() - wide) / kTile)),
+                  bottom = static_cast<int>(std::floor((q.y() + wide) / kTile));
         for (int ty = std::max(0, top); ty <= std::min(tile_rows - 1, bottom); ++ty)
           for (int tx = std::max(0, left); tx <= std::min(tile_columns_ - 1, right); ++tx)
             tiles_[static_cast<std::size_t>(ty) * tile_columns_ + tx] = 1;
       }
   }
 
-  Eigen::Vector3f edgePixel(int x, int y, std::uint8_t& label) const {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  static std::array<float, 2> sixteenth(int k) {
+    return {(static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4};
+  }
+
+  std::uint8_t edgeLabel(int x, int y) const {
     std::array<int, 16> seen;
     for (int k = 0; k < 16; ++k) {
-      const Ray r =
-          ray(x, y, (static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4);
-      const Scene::Hit hit = view_.scene.nearest(r.origin, r.direction);
-      seen[k] = hit.sherd;
-      const std::uint64_t hash = sampleHash(x, y, k);
-      sum += hit.sherd < 0 ? view_.backdrop.light(r, hash) : sherdLight(hit, hash);
+      const Ray r = ray(x, y, sixteenth(k)[0], sixteenth(k)[1]);
+      seen[k] = view_.scene.nearest(r.origin, r.direction).sherd;
     }
     for (const int s : seen)
       if (s >= 0 && std::count(seen.begin(), seen.end(), s) > 8)
-        label = static_cast<std::uint8_t>(s + 1);
+        return static_cast<std::uint8_t>(s + 1);
+    return 0;
+  }
+
+  Eigen::Vector3f edgePixel(int x, int y) const {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int k = 0; k < 16; ++k) {
+      const Ray r = ray(x, y, sixteenth(k)[0], sixteenth(k)[1]);
+      const Scene::Hit hit = view_.scene.nearest(r.origin, r.direction);
+      const std::uint64_t hash = sampleHash(x, y, k);
+      sum += hit.sherd < 0 ? view_.backdrop.light(r, hash) : sherdLight(hit, r, hash);
+    }
     return sum / 16;
   }
 
@@ -126,39 +200,75 @@ class Renderer {
     return mixed(seed_, 16 * pixel + static_cast<std::uint64_t>(sample));
   }
 
-  // hash: of this look at the clay, for what glitters.
-  Eigen::Vector3f sherdLight(const Scene::Hit& hit, std::uint64_t hash) const {
+  // A place on a sherd, between its triangle's corners.
+  struct Place {
+    Eigen::Vector3f p_model, p, normal, irradiance;  ///< the last of ambient light
+    ClayPlace clay;
+    LightField::Shares shares{};
+  };
+
+  Place placeOf(const Scene::Hit& hit) const {
     const VirtualSherd& sherd = view_.scene.sherds()[hit.sherd];
     const auto& t = sherd.mesh.triangles[hit.triangle];
     const std::array<float, 3> w{1 - hit.u - hit.v, hit.u, hit.v};
-    Eigen::Vector3f p_model = Eigen::Vector3f::Zero(), p = p_model, normal = p_model,
-                    irradiance = p_model;
-    ClayPlace place;
-    LightField::Shares shares{};
+    Place at;
+    at.p_model = at.p = at.normal = at.irradiance = Eigen::Vector3f::Zero();
     for (int k = 0; k < 3; ++k) {
       const int i = t[k];
-      p_model += w[k] * sherd.mesh.vertices[i];
-      p += w[k] * view_.scene.vertices(hit.sherd)[i];
-      normal += w[k] * view_.scene.normals(hit.sherd)[i];
-      irradiance += w[k] * view_.ambient.vertices[hit.sherd][i];
-      place.around_mm += w[k] * sherd.places[i].around_mm;
-      place.up_mm += w[k] * sherd.places[i].up_mm;
-      place.depth += w[k] * sherd.places[i].depth;
-      place.broken += w[k] * sherd.places[i].broken;
-      for (int l = 0; l < kLights; ++l) shares[l] += w[k] * view_.light.vertices[hit.sherd][i][l];
+      at.p_model += w[k] * sherd.mesh.vertices[i];
+      at.p += w[k] * view_.scene.vertices(hit.sherd)[i];
+      at.normal += w[k] * view_.scene.normals(hit.sherd)[i];
+      at.irradiance += w[k] * view_.ambient.vertices[hit.sherd][i];
+      at.clay.around_mm += w[k] * sherd.places[i].around_mm;
+      at.clay.up_mm += w[k] * sherd.places[i].up_mm;
+      at.clay.depth += w[k] * sherd.places[i].depth;
+      at.clay.broken += w[k] * sherd.places[i].broken;
+      for (int l = 0; l < kLights; ++l)
+        at.shares[l] += w[k] * view_.light.vertices[hit.sherd][i][l];
     }
-    const ClaySample clay = sampleClay(sherd.clay, p_model, place);
-    normal.normalize();
+    at.normal.normalize();
+    return at;
+  }
+
+  // r, hash: of this look at the clay; the hash for what glitters.
+  Eigen::Vector3f sherdLight(const Scene::Hit& hit, const Ray& r, std::uint64_t hash) const {
+    Place at = placeOf(hit);
+    const ClaySample clay = sampleClay(view_.scene.sherds()[hit.sherd].clay, at.p_model, at.clay);
+    const Eigen::Vector3f& normal = at.normal;
     const Eigen::Vector3f slope = model_turns_[hit.sherd] * clay.slope;
     const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
     for (int l = 0; l < kLights; ++l)
-      if (view_.room_plate.lights[l].hard && shares[l] > 0)
-        shares[l] = seesLight(view_.scene, view_.room_plate.lights[l], p + kLift * normal,
-                              mixed(hash, static_cast<std::uint64_t>(l)));
-    irradiance += directLight(view_.room_plate, p, bent, shares);
+      if (view_.room_plate.lights[l].hard && at.shares[l] > 0)
+        at.shares[l] = seesLight(view_.scene, view_.room_plate.lights[l], at.p + kLift * normal,
+                                 mixed(hash, static_cast<std::uint64_t>(l)));
+    at.irradiance += directLight(view_.room_plate, at.p, bent, at.shares);
     // Facets of grains finer than a pixel flash up in one view and not in the next.
-    const float flash = 1 + clay.glitter * quickNormal(hash);
-    return clay.albedo.cwiseProduct(irradiance) * (handShare(view_.hand, p) * std::max(0.f, flash));
+    const float flash = std::max(0.f, 1 + clay.glitter * quickNormal(hash));
+    Eigen::Vector3f light = clay.albedo.cwiseProduct(at.irradiance) * flash;
+    if (clay.shine.weight > 0.01f) light += shine(at, clay.shine, bent, r, hash);
+    return light * handShare(view_.hand, at.p);
+  }
+
+  // What a shiny face mirrors: the lights, and one look at what else is around.
+  Eigen::Vector3f shine(const Place& at, const Gloss& gloss, const Eigen::Vector3f& normal,
+                        const Ray& r, std::uint64_t hash) const {
+    const Eigen::Vector3f to_eye = -r.direction.normalized();
+    const Eigen::Vector3f lights =
+        highlights(view_.room_plate, at.p, normal, to_eye, at.shares, gloss);
+    const Eigen::Vector3f towards = strewnReflection(normal, to_eye, gloss, mixed(hash, 55));
+    const Ray mirrored{at.p + 2 * kLift * at.normal, towards};
+    const Scene::Hit other = view_.scene.nearest(mirrored.origin, mirrored.direction);
+    Eigen::Vector3f around;
+    if (other.sherd >= 0) {
+      const Place there = placeOf(other);
+      around = view_.scene.sherds()[other.sherd].clay.body.cwiseProduct(
+          there.irradiance + directLight(view_.room_plate, there.p, there.normal, there.shares));
+    } else if (towards.z() > 0) {
+      around = (1 + 2 * towards.z()) * 3 / 7 * view_.room_plate.sky;
+    } else {
+      around = view_.backdrop.light(mirrored, hash);
+    }
+    return lights + gloss.weight * fresnel(normal.dot(to_eye)) * around;
   }
 
   const View& view_;
@@ -166,6 +276,7 @@ class Renderer {
   const std::uint64_t seed_;
   Eigen::Vector3f origin_;
   Eigen::Matrix3f turn_;
+  float aperture_ = 0, inverse_focus_ = 0;
   std::vector<Eigen::Matrix3f> model_turns_;
   int tile_columns_ = 0;
   std::vector<char> tiles_;

@@ -41,6 +41,12 @@ class LensRays {
   std::vector<Eigen::Vector2f> rays_;
 };
 
+/// A lens that is no pinhole: sharp on one plane before the camera.
+struct Focus {
+  double aperture_mm = 0;  ///< diameter; 0: sharp everywhere
+  double distance_mm = 300;
+};
+
 struct View {
   const Scene& scene;
   const Room& room_plate;
@@ -49,6 +55,7 @@ struct View {
   const Backdrop& backdrop;
   Eigen::Isometry3d camera_from_plate;
   Hand hand = {};
+  Focus focus = {};
 };
 
 struct Photograph {
@@ -57,7 +64,8 @@ struct Photograph {
   double gain = 1;  ///< by which the exposure multiplied the light
 };
 
-/// Ray casting with 4 samples a pixel, 16 where they disagree. Stopped early: incomplete.
+/// Ray casting with 4 samples a pixel, 16 where they disagree, and up to 32 out of focus. Stopped
+/// early: incomplete.
 Photograph photograph(const View& view, const LensRays& lens, const Sensor& sensor,
                       std::uint64_t seed, std::stop_token stop);
 /// The calibration board in even light before a grey wall.

@@ -15,6 +15,20 @@ constexpr double kRing = 145, kSide = 24;  // mm: middle of the markers, their e
 constexpr float kPaperMargin = 3.5f;       // mm of white around the black border
 constexpr float kPaper = 0.72f, kInk = 0.028f;
 
+Eigen::Vector3f feltOf(PlateColor color) {
+  switch (color) {
+    case PlateColor::Dark:
+      return {0.029f, 0.030f, 0.034f};
+    case PlateColor::Grey:
+      return {0.205f, 0.207f, 0.21f};
+    case PlateColor::Light:
+      return {0.43f, 0.43f, 0.42f};
+    case PlateColor::White:
+      return {0.70f, 0.705f, 0.70f};
+  }
+  return {0.029f, 0.030f, 0.034f};
+}
+
 }  // namespace
 
 batch::Plate standardPlate() {
@@ -22,9 +36,7 @@ batch::Plate standardPlate() {
 }
 
 PlateSurface::PlateSurface(PlateColor color, std::uint64_t seed)
-    : felt_(color == PlateColor::Dark ? Eigen::Vector3f(0.029f, 0.030f, 0.034f)
-                                      : Eigen::Vector3f(0.205f, 0.207f, 0.21f)),
-      seed_(static_cast<std::uint32_t>(mixed(seed))) {
+    : felt_(feltOf(color)), seed_(static_cast<std::uint32_t>(mixed(seed))) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_100);
   for (int id = 0; id < kMarkers; ++id) {
     cv::Mat picture;

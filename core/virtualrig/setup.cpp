@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/parallel.h"
 #include "rig/plate_print.h"
@@ -11,6 +12,8 @@
 
 namespace ostraka::virtualrig {
 namespace {
+
+constexpr std::optional<double> kShinyByHand = 0.3;  // share of what people bring to a table
 
 struct Order {
   VesselForm form = VesselForm::Bowl;
@@ -180,12 +183,15 @@ Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
       order.form = VesselForm::Jar;
     choosePlace(order, random);
   }
+  const std::optional<double> shiny =
+      options.hand_held && !options.gloss ? kShinyByHand : options.gloss;
   std::vector<VirtualSherd> sherds(orders.size());
   parallelFor(orders.size(), options.threads, [&](std::size_t i) {
     Random vessel_random(orders[i].vessel_seed), clay_random(orders[i].clay_seed);
     const Vessel vessel = Vessel::make(orders[i].form, orders[i].wall_mm, vessel_random);
     sherds[i] = breakOut(vessel, orders[i].plan);
     sherds[i].clay = makeClay(options.plain, clay_random);
+    if (shiny) widen(sherds[i].clay, *shiny, clay_random);
     sherds[i].lookalike_group = orders[i].group;
   });
   return sherds;

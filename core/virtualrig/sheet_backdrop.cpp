@@ -1,5 +1,7 @@
 #include "virtualrig/sheet_backdrop.h"
 
+#include "virtualrig/highlights.h"
+
 #include <cmath>
 
 namespace ostraka::virtualrig {
@@ -7,6 +9,8 @@ namespace {
 
 constexpr float kFloor = -740;      // mm: a table's height
 constexpr float kPaper_mm = 0.12f;  // thickness
+
+const Gloss kToner{0.6f, 0.34f};  // laser print shines a little
 
 Eigen::Vector3f at(const Ray& r, float z) {
   return r.origin + (z - r.origin.z()) / r.direction.z() * r.direction;
@@ -36,17 +40,22 @@ bool SheetBackdrop::onSheet(const Ray& r, Eigen::Vector3f& p) const {
   return sheet_.holds(p.head<2>());
 }
 
-Eigen::Vector3f SheetBackdrop::irradiance(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-                                          std::uint64_t hash) const {
+Eigen::Vector3f SheetBackdrop::lit(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
+                                   const Ray& r, const Eigen::Vector3f& albedo, const Gloss& gloss,
+                                   std::uint64_t hash) const {
   LightField::Shares shares;
-  Eigen::Vector3f sum;
-  plateLight(light_, ambient_, p.head<2>(), shares, sum);
+  Eigen::Vector3f irradiance;
+  plateLight(light_, ambient_, p.head<2>(), shares, irradiance);
   if (hard_)
     for (int l = 0; l < kLights; ++l)
       if (room_.lights[l].hard && !room_.lights[l].strength.isZero())
         shares[l] = seesLight(scene_, room_.lights[l], p + kLift * normal,
                               mixed(hash, static_cast<std::uint64_t>(l)));
-  return sum + directLight(room_, p, normal, shares);
+  Eigen::Vector3f light = albedo.cwiseProduct(irradiance + directLight(room_, p, normal, shares));
+  if (gloss.weight <= 0) return light;
+  const Eigen::Vector3f to_eye = -r.direction.normalized();
+  return light + highlights(room_, p, normal, to_eye, shares, gloss) +
+         gloss.weight * fresnel(normal.dot(to_eye)) * 0.6f * room_.sky;
 }
 
 Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
@@ -55,7 +64,8 @@ Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
   if (onSheet(r, p)) {
     const Eigen::Vector2f slope = sheet_.slope(p.head<2>());
     const Eigen::Vector3f normal = Eigen::Vector3f(-slope.x(), -slope.y(), 1).normalized();
-    return sheet_.albedo(p.head<2>()).cwiseProduct(irradiance(p, normal, hash));
+    const Eigen::Vector3f albedo = sheet_.albedo(p.head<2>());
+    return lit(p, normal, r, albedo, albedo.y() < 0.2f ? kToner : Gloss{}, hash);
   }
   p = at(r, 0);
   if (!table_.holds(p.head<2>())) return beyond(r);
@@ -64,8 +74,8 @@ Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
       p.head<2>().cwiseAbs().cwiseMin(sheet_.plate().sheet->max().cast<float>());
   const float rise = kPaper_mm + sheet_.height(edge.cwiseProduct(p.head<2>().cwiseSign()));
   const float open = 1 - 0.6f * std::exp(-sheet_.distance(p.head<2>()) / (1.5f * rise));
-  return table_.albedo(p.head<2>()).cwiseProduct(irradiance(p, Eigen::Vector3f::UnitZ(), hash)) *
-         open;
+  return open *
+         lit(p, Eigen::Vector3f::UnitZ(), r, table_.albedo(p.head<2>()), table_.gloss(), hash);
 }
 
 // The floor under a table is darker, and the wall is lit by the room.

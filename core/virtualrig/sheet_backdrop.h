@@ -1,5 +1,6 @@
 #pragma once
 #include "virtualrig/backdrop.h"
+#include "virtualrig/gloss.h"
 #include "virtualrig/sheet.h"
 #include "virtualrig/table.h"
 
@@ -30,8 +31,9 @@ class SheetBackdrop final : public Backdrop {
  private:
   /// Where a ray meets the sheet as it is bent; absent beside it.
   bool onSheet(const Ray& ray, Eigen::Vector3f& p) const;
-  Eigen::Vector3f irradiance(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-                             std::uint64_t hash) const;
+  /// Light of a place on the ground, with shadows and what it mirrors.
+  Eigen::Vector3f lit(const Eigen::Vector3f& p, const Eigen::Vector3f& normal, const Ray& ray,
+                      const Eigen::Vector3f& albedo, const Gloss& gloss, std::uint64_t hash) const;
   Eigen::Vector3f beyond(const Ray& ray) const;
 
   const Scene& scene_;

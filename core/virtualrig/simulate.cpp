@@ -90,9 +90,9 @@ class Studio {
                   const Hand hand = mishapOf(options_, side, camera, first + s).hand;
                   const PlateBackdrop backdrop(rooms[s], fields[s], ambient, plate_,
                                                rig_.angles_rad[first + s], hand);
-                  const View view{scene,   rooms[s], fields[s],
-                                  ambient, backdrop, rig_.cameraFromPlate(camera, first + s),
-                                  hand};
+                  const View view{scene,   rooms[s],       fields[s],
+                                  ambient, backdrop,       rig_.cameraFromPlate(camera, first + s),
+                                  hand,    focusOf(camera)};
                   report_.done(shoot(view, side, camera, first + s));
                 });
   }
@@ -106,7 +106,9 @@ class Studio {
     const PlateBackdrop backdrop(room_, field, ambient, plate_, 0);
     parallelFor(lenses_.size(), options_.threads, [&](std::size_t c) {
       const int camera = static_cast<int>(c);
-      const View view{scene, room_, field, ambient, backdrop, rig_.cameraFromPlate(camera, 0)};
+      const View view{scene,   room_,          field,
+                      ambient, backdrop,       rig_.cameraFromPlate(camera, 0),
+                      {},      focusOf(camera)};
       const Photograph shot =
           photograph(view, lenses_[c], sensor_, mixed(options_.seed, 7000 + c), stop_);
       report_.done(writeJpeg(options_.output / "calib" / ("empty_cam" + std::to_string(c) + ".jpg"),
@@ -131,6 +133,14 @@ class Studio {
   }
 
  private:
+  // Focused by hand on the plate's middle, on a sensor of 23.5 mm width.
+  Focus focusOf(int camera) const {
+    if (options_.fstop.value_or(0) <= 0) return {};
+    const rig::Intrinsics& k = rig_.intrinsics[static_cast<std::size_t>(camera)];
+    return {k.fx / k.width * 23.5 / *options_.fstop,
+            rig_.cameraFromPlate(camera, 0).translation().z()};
+  }
+
   Result<void> shoot(const View& view, batch::Side side, int camera, int stop_index) const {
     const Mishap mishap = mishapOf(options_, side, camera, stop_index);
     Sensor sensor = sensor_;
@@ -223,6 +233,9 @@ Result<void> SimulateOptions::check() const {
     return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");
   if (output.empty()) return bad("output must name a folder.");
   if (stops < 4 || stops > 72) return bad("stops must lie between 4 and 72.");
+  if (gloss && !(*gloss >= 0 && *gloss <= 1)) return bad("gloss must lie between 0 and 1.");
+  if (fstop && *fstop != 0 && !(*fstop >= 1 && *fstop <= 64))
+    return bad("fstop must be 0, for none, or lie between 1 and 64.");
   if (lookalikes < 0 || 2 * lookalikes > sherds)
     return bad("lookalikes are groups of two: at most half the number of sherds.");
   if (touching < 0 || 2 * touching > sherds)

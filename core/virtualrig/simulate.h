@@ -13,7 +13,7 @@
 /// A rig for everybody: vessels are made, broken, laid on a plate and photographed, with the truth.
 namespace ostraka::virtualrig {
 
-enum class PlateColor { Dark, Grey };
+enum class PlateColor { Dark, Grey, Light, White };
 
 /// What goes wrong on purpose, to train people and to test the program.
 enum class Fault {
@@ -36,7 +36,13 @@ struct SimulateOptions {
   int width = 1600;  ///< pixels; the height is 3/4 of it and the lens scales along
   std::filesystem::path output;
   PlateColor plate = PlateColor::Dark;
-  bool plain = false;     ///< neither slip nor paint, fine temper only
+  bool plain = false;  ///< neither slip nor paint, fine temper only
+  /// Share of the sherds with shiny slip or burnish; black, grey and white clays and slips are
+  /// drawn among the others. Absent: usual clays, all matte; by hand 0.3.
+  std::optional<double> gloss;
+  /// Depth of field of a lens at this f-number: on a rig an APS-C camera's, by hand the camera's
+  /// own. Absent: a rig is sharp everywhere, and the camera in a hand has its usual one; 0: sharp.
+  std::optional<double> fstop;
   bool scramble = false;  ///< the sherds change places at the flip
   int lookalikes = 0;     ///< groups of two with nearly the same outline; their breaks differ
   int touching = 0;       ///< pairs that lie against each other on both sides

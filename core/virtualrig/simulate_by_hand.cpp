@@ -60,7 +60,9 @@ class Photographer {
                           ? withFlash(room_, shot.camera_from_plate)
                           : room_;
     const SheetBackdrop backdrop(scene, room, field, ambient, *sheet_, *table_);
-    const View view{scene, room, field, ambient, backdrop, shot.camera_from_plate};
+    const double fstop = options_.fstop.value_or(model_.fnumber);
+    const Focus focus{fstop > 0 ? model_.focal_mm / fstop : 0, shot.focus_mm};
+    const View view{scene, room, field, ambient, backdrop, shot.camera_from_plate, {}, focus};
     const Photograph taken = photograph(view, LensRays(shot.intrinsics), shot.sensor,
                                         mixed(options_.seed, 9000 + number), stop_);
     if (stop_.stop_requested()) return Error::cancelled();
@@ -75,7 +77,7 @@ class Photographer {
     notes.model = model_.model;
     notes.time = clockTime(start_s_ + shot.time_s);
     notes.exposure_s = std::clamp(taken.gain / 60, 1 / 4000.0, 0.25);
-    notes.fnumber = model_.fnumber;
+    notes.fnumber = fstop > 0 ? fstop : model_.fnumber;
     notes.focal_mm = model_.focal_mm;
     notes.focal_35mm = static_cast<int>(std::lround(36 * model_.focal_per_width));
     notes.width = shot.intrinsics.width;

@@ -51,15 +51,18 @@ TableSurface::TableSurface(TableKind kind, Random& random)
   switch (kind) {
     case TableKind::Wood:
       body_ = chosen(kWoods, random);
+      gloss_ = {static_cast<float>(random.uniform(0, 0.8)), 0.38f};
       break;
     case TableKind::Cloth:
       body_ = chosen(kCloths, random);
       break;
     case TableKind::Granite:
       body_ = chosen(kGranites, random);
+      gloss_ = {0.9f, 0.12f};
       break;
     case TableKind::CuttingMat:
       body_ = chosen(kMats, random);
+      gloss_ = {0.35f, 0.45f};
       break;
   }
   second_ = random.chance(0.5) ? Vector3f(0.55f, 0.52f, 0.47f) : Vector3f(body_ * 0.6f);

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "virtualrig/gloss.h"
 #include "virtualrig/hand_held.h"
 #include "virtualrig/noise.h"
 
@@ -16,6 +17,7 @@ class TableSurface {
   bool holds(const Eigen::Vector2f& p) const;
   Eigen::Vector3f albedo(const Eigen::Vector2f& p) const;
   Eigen::Vector3f meanAlbedo() const { return mean_; }
+  const Gloss& gloss() const { return gloss_; }
   /// Linear albedo of the floor at a point on it.
   Eigen::Vector3f floor(const Eigen::Vector2f& p) const;
   Eigen::Vector3f wall() const { return wall_; }
@@ -33,6 +35,7 @@ class TableSurface {
   Eigen::Vector2f low_, high_;  // the table's corners
   Eigen::Vector3f body_, second_, mean_, floor_, wall_;
   float period_mm_;  // of planks, checks
+  Gloss gloss_;
 };
 
 }  // namespace ostraka::virtualrig

@@ -118,6 +118,7 @@ std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraMod
       const Eigen::Vector3d aim(bounded(random, 10, 22), bounded(random, 8, 16), 0);
       shot.camera_from_plate = lookingAt(eye, aim, bounded(random, 3, 7) * kDegree);
       shot.sensor = sensorOfShot(model.sensor, scale, random);
+      shot.focus_mm = (shot.camera_from_plate * aim).z() * (1 + bounded(random, 0.02, 0.05));
       shot.time_s = time;
       time += random.uniform(4, 17);
       shots.push_back(std::move(shot));

@@ -34,7 +34,8 @@ struct FreeShot {
   rig::Intrinsics intrinsics;
   Eigen::Isometry3d camera_from_plate;
   Sensor sensor;
-  double time_s = 0;  ///< since the first photograph
+  double focus_mm = 300;  ///< depth that the autofocus found
+  double time_s = 0;      ///< since the first photograph
 };
 /// Fronts, then backs: a walk around the sheet, 22 to 72 degrees above it, the whole of it just in
 /// sight (26-33 cm away with a telephone over A4), rolled by up to 7 degrees.

@@ -92,6 +92,11 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, HandHeldOptions& h
   command.add_option("--bend", hand.bend_mm, "How far the sheet bends up from the table, mm")
       ->capture_default_str()
       ->needs(by_hand);
+  command
+      .add_option("--clutter", hand.clutter,
+                  "Things beside the sherds, 0 to 4: scale bar, label, colour card, pencil")
+      ->capture_default_str()
+      ->needs(by_hand);
   for (const char* of_a_rig : {"--stops", "--plate", "--scans-only", "--scan-noise", "--fault"})
     by_hand->excludes(command.get_option(of_a_rig));
 }

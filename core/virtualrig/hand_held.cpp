@@ -7,6 +7,7 @@ Result<void> HandHeldOptions::check() const {
   if (photographs < 3 || photographs > 400)
     return bad("hand_held must lie between 3 and 400 photographs a side.");
   if (!(bend_mm >= 0 && bend_mm <= 20)) return bad("bend must lie between 0 and 20 mm.");
+  if (clutter < 0 || clutter > 4) return bad("clutter must lie between 0 and 4 things.");
   return {};
 }
 

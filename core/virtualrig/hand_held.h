@@ -24,6 +24,7 @@ struct HandHeldOptions {
   LightKind light = LightKind::Window;
   CameraKind camera = CameraKind::Phone;
   double bend_mm = 0;  ///< how far the sheet rises from the table at most
+  int clutter = 0;     ///< things beside the sherds that are none: scale bar, label, card, pencil
   /// Names the field that cannot be.
   Result<void> check() const;
 };

@@ -255,7 +255,10 @@ Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOpt
   }
   return Error{ErrorCode::UnusableInput,
                "The " + std::to_string(sherds.size()) +
-                   " sherds do not fit on the plate or sheet; ask for fewer, or for another seed.",
+                   (options.hand_held
+                        ? " sherds do not fit on the sheet; ask for fewer, or for a larger one."
+                        : " sherds do not fit on the plate; ask for fewer, or for "
+                          "another seed."),
                {}};
 }
 

@@ -47,17 +47,17 @@ class Renderer {
     for (int k = 0; k < 4; ++k) {
       const Ray r = ray(x, y, kRotated[k][0], kRotated[k][1]);
       hits[k] = view_.scene.nearest(r.origin, r.direction);
-      same = same && hits[k].sherd == hits[0].sherd;
+      same = same && hits[k].body == hits[0].body;
     }
-    label = same ? static_cast<std::uint8_t>(hits[0].sherd + 1) : edgeLabel(x, y);
-    const float blur = blurOf(hits[0].sherd < 0 ? depthOfGround(centre) : hits[0].distance);
+    label = same ? labelOf(hits[0].body) : edgeLabel(x, y);
+    const float blur = blurOf(hits[0].body < 0 ? depthOfGround(centre) : hits[0].distance);
     if (blur >= kSharp_px) return lensPixel(x, y, blur, true);
-    if (same && hits[0].sherd < 0) return openPixel(x, y, centre);
+    if (same && hits[0].body < 0) return openPixel(x, y, centre);
     if (!same) return edgePixel(x, y);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int k = 0; k < 4; ++k) {
       const Ray r = ray(x, y, kRotated[k][0], kRotated[k][1]);
-      sum += sherdLight(hits[k], r, sampleHash(x, y, k));
+      sum += bodyLight(hits[k], r, sampleHash(x, y, k));
     }
     return sum / 4;
   }
@@ -109,7 +109,7 @@ class Renderer {
       const Scene::Hit hit =
           with_sherds ? view_.scene.nearest(r.origin, r.direction) : Scene::Hit{};
       const Eigen::Vector3f light =
-          hit.sherd < 0 ? view_.backdrop.light(r, own) : sherdLight(hit, r, own);
+          hit.body < 0 ? view_.backdrop.light(r, own) : bodyLight(hit, r, own);
       low = std::min(low, light.y());
       high = std::max(high, light.y());
       sum += light;
@@ -127,9 +127,11 @@ class Renderer {
     const int tile_rows = (k.height + kTile - 1) / kTile;
     tiles_.assign(static_cast<std::size_t>(tile_columns_) * tile_rows, 0);
     // A mesh edge of 0.65 mm spans at most this; a pixel more for its own extent.
-    const float reach = 1.5f + 0.65f * static_cast<float>(k.fx) / 500;
-    for (std::size_t s = 0; s < view_.scene.sherds().size(); ++s)
-      for (const Eigen::Vector3f& p : view_.scene.vertices(static_cast<int>(s))) {
+    // Props' edges of 1.5 mm lie nearer to the camera: as far as a hand holds it, twice a sherd's.
+    const float reach =
+        1.5f + (view_.scene.props().empty() ? 0.65f : 1.8f) * static_cast<float>(k.fx) / 500;
+    for (int body = 0; body < view_.scene.bodies(); ++body)
+      for (const Eigen::Vector3f& p : view_.scene.vertices(body)) {
         const Eigen::Vector3d p_camera = view_.camera_from_plate * p.cast<double>();
         const Eigen::Vector2f q = k.project(p_camera).cast<float>();
         const float wide = reach + 0.5f * blurOf(static_cast<float>(p_camera.z()));
@@ -147,15 +149,18 @@ class Renderer {
     return {(static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4};
   }
 
+  std::uint8_t labelOf(int body) const {
+    return body >= 0 && view_.scene.isSherd(body) ? static_cast<std::uint8_t>(body + 1) : 0;
+  }
+
   std::uint8_t edgeLabel(int x, int y) const {
     std::array<int, 16> seen;
     for (int k = 0; k < 16; ++k) {
       const Ray r = ray(x, y, sixteenth(k)[0], sixteenth(k)[1]);
-      seen[k] = view_.scene.nearest(r.origin, r.direction).sherd;
+      seen[k] = view_.scene.nearest(r.origin, r.direction).body;
     }
     for (const int s : seen)
-      if (s >= 0 && std::count(seen.begin(), seen.end(), s) > 8)
-        return static_cast<std::uint8_t>(s + 1);
+      if (std::count(seen.begin(), seen.end(), s) > 8) return labelOf(s);
     return 0;
   }
 
@@ -165,7 +170,7 @@ class Renderer {
       const Ray r = ray(x, y, sixteenth(k)[0], sixteenth(k)[1]);
       const Scene::Hit hit = view_.scene.nearest(r.origin, r.direction);
       const std::uint64_t hash = sampleHash(x, y, k);
-      sum += hit.sherd < 0 ? view_.backdrop.light(r, hash) : sherdLight(hit, r, hash);
+      sum += hit.body < 0 ? view_.backdrop.light(r, hash) : bodyLight(hit, r, hash);
     }
     return sum / 16;
   }
@@ -200,47 +205,60 @@ class Renderer {
     return mixed(seed_, 16 * pixel + static_cast<std::uint64_t>(sample));
   }
 
-  // A place on a sherd, between its triangle's corners.
+  // A place on a body, between its triangle's corners.
   struct Place {
     Eigen::Vector3f p_model, p, normal, irradiance;  ///< the last of ambient light
-    ClayPlace clay;
     LightField::Shares shares{};
   };
 
   Place placeOf(const Scene::Hit& hit) const {
-    const VirtualSherd& sherd = view_.scene.sherds()[hit.sherd];
-    const auto& t = sherd.mesh.triangles[hit.triangle];
+    const TriangleMesh& mesh = view_.scene.mesh(hit.body);
+    const auto& t = mesh.triangles[hit.triangle];
     const std::array<float, 3> w{1 - hit.u - hit.v, hit.u, hit.v};
     Place at;
     at.p_model = at.p = at.normal = at.irradiance = Eigen::Vector3f::Zero();
     for (int k = 0; k < 3; ++k) {
       const int i = t[k];
-      at.p_model += w[k] * sherd.mesh.vertices[i];
-      at.p += w[k] * view_.scene.vertices(hit.sherd)[i];
-      at.normal += w[k] * view_.scene.normals(hit.sherd)[i];
-      at.irradiance += w[k] * view_.ambient.vertices[hit.sherd][i];
-      at.clay.around_mm += w[k] * sherd.places[i].around_mm;
-      at.clay.up_mm += w[k] * sherd.places[i].up_mm;
-      at.clay.depth += w[k] * sherd.places[i].depth;
-      at.clay.broken += w[k] * sherd.places[i].broken;
-      for (int l = 0; l < kLights; ++l)
-        at.shares[l] += w[k] * view_.light.vertices[hit.sherd][i][l];
+      at.p_model += w[k] * mesh.vertices[i];
+      at.p += w[k] * view_.scene.vertices(hit.body)[i];
+      at.normal += w[k] * view_.scene.normals(hit.body)[i];
+      at.irradiance += w[k] * view_.ambient.vertices[hit.body][i];
+      for (int l = 0; l < kLights; ++l) at.shares[l] += w[k] * view_.light.vertices[hit.body][i][l];
     }
     at.normal.normalize();
     return at;
   }
 
+  ClayPlace clayPlaceOf(const Scene::Hit& hit) const {
+    const VirtualSherd& sherd = view_.scene.sherds()[hit.body];
+    const std::array<float, 3> w{1 - hit.u - hit.v, hit.u, hit.v};
+    ClayPlace place;
+    for (int k = 0; k < 3; ++k) {
+      const ClayPlace& corner = sherd.places[sherd.mesh.triangles[hit.triangle][k]];
+      place.around_mm += w[k] * corner.around_mm;
+      place.up_mm += w[k] * corner.up_mm;
+      place.depth += w[k] * corner.depth;
+      place.broken += w[k] * corner.broken;
+    }
+    return place;
+  }
+
   // r, hash: of this look at the clay; the hash for what glitters.
-  Eigen::Vector3f sherdLight(const Scene::Hit& hit, const Ray& r, std::uint64_t hash) const {
+  Eigen::Vector3f bodyLight(const Scene::Hit& hit, const Ray& r, std::uint64_t hash) const {
     Place at = placeOf(hit);
-    const ClaySample clay = sampleClay(view_.scene.sherds()[hit.sherd].clay, at.p_model, at.clay);
     const Eigen::Vector3f& normal = at.normal;
-    const Eigen::Vector3f slope = model_turns_[hit.sherd] * clay.slope;
-    const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
     for (int l = 0; l < kLights; ++l)
       if (view_.room_plate.lights[l].hard && at.shares[l] > 0)
         at.shares[l] = seesLight(view_.scene, view_.room_plate.lights[l], at.p + kLift * normal,
                                  mixed(hash, static_cast<std::uint64_t>(l)));
+    if (!view_.scene.isSherd(hit.body)) {
+      at.irradiance += directLight(view_.room_plate, at.p, normal, at.shares);
+      return view_.scene.prop(hit.body).albedo(at.p).cwiseProduct(at.irradiance);
+    }
+    const ClaySample clay =
+        sampleClay(view_.scene.sherds()[hit.body].clay, at.p_model, clayPlaceOf(hit));
+    const Eigen::Vector3f slope = model_turns_[hit.body] * clay.slope;
+    const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
     at.irradiance += directLight(view_.room_plate, at.p, bent, at.shares);
     // Facets of grains finer than a pixel flash up in one view and not in the next.
     const float flash = std::max(0.f, 1 + clay.glitter * quickNormal(hash));
@@ -259,10 +277,11 @@ class Renderer {
     const Ray mirrored{at.p + 2 * kLift * at.normal, towards};
     const Scene::Hit other = view_.scene.nearest(mirrored.origin, mirrored.direction);
     Eigen::Vector3f around;
-    if (other.sherd >= 0) {
+    if (other.body >= 0) {
       const Place there = placeOf(other);
-      around = view_.scene.sherds()[other.sherd].clay.body.cwiseProduct(
-          there.irradiance + directLight(view_.room_plate, there.p, there.normal, there.shares));
+      around = view_.scene.color(other.body)
+                   .cwiseProduct(there.irradiance + directLight(view_.room_plate, there.p,
+                                                                there.normal, there.shares));
     } else if (towards.z() > 0) {
       around = (1 + 2 * towards.z()) * 3 / 7 * view_.room_plate.sky;
     } else {

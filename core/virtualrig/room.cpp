@@ -14,6 +14,11 @@ int shadowSide(const Light& light) {
   return light.radius > 0.25f ? 10 : 5;
 }
 
+// Cells along the side of the ground's square.
+int gridOf(const Room& room) {
+  return 2 * room.ground_mm + 1;
+}
+
 double unit(std::uint64_t h, int part) {
   return static_cast<double>((h >> (16 * part)) & 0xFFFF) / 65536.0;
 }
@@ -110,10 +115,10 @@ class AmbientSource {
       const Eigen::Vector3f d =
           radius * (std::cos(angle) * u + std::sin(angle) * v) + height * normal;
       const Scene::Hit hit = scene_.nearest(p, d);
-      if (hit.sherd < 0 && d.z() > 0)
+      if (hit.body < 0 && d.z() > 0)
         sum += (1 + 2 * d.z()) * 3 / 7 * room_.sky;
       else if (first != nullptr)
-        sum += hit.sherd < 0 ? fromPlate(p - p.z() / d.z() * d, *first) : fromSherd(hit, *first);
+        sum += hit.body < 0 ? fromPlate(p - p.z() / d.z() * d, *first) : fromBody(hit, *first);
     }
     return sum / (side * side);
   }
@@ -121,15 +126,15 @@ class AmbientSource {
  private:
   static constexpr int kTurns = 6;  // three lamps each: 18 directions that the lamps come from
 
-  Eigen::Vector3f fromSherd(const Scene::Hit& hit, const FirstLight& first) const {
-    const auto& t = scene_.sherds()[hit.sherd].mesh.triangles[hit.triangle];
-    const auto& light = first.vertices[hit.sherd];
-    return scene_.sherds()[hit.sherd].clay.body.cwiseProduct(
-        (1 - hit.u - hit.v) * light[t[0]] + hit.u * light[t[1]] + hit.v * light[t[2]]);
+  Eigen::Vector3f fromBody(const Scene::Hit& hit, const FirstLight& first) const {
+    const auto& t = scene_.mesh(hit.body).triangles[hit.triangle];
+    const auto& light = first.vertices[hit.body];
+    return scene_.color(hit.body).cwiseProduct((1 - hit.u - hit.v) * light[t[0]] +
+                                               hit.u * light[t[1]] + hit.v * light[t[2]]);
   }
 
   Eigen::Vector3f fromPlate(const Eigen::Vector3f& p, const FirstLight& first) const {
-    constexpr int n = LightField::kGrid;
+    const int n = gridOf(room_);
     const int x = std::clamp(static_cast<int>(std::lround(p.x())) + n / 2, 0, n - 1),
               y = std::clamp(static_cast<int>(std::lround(p.y())) + n / 2, 0, n - 1);
     return ground_.meanAlbedo(p.head<2>())
@@ -142,16 +147,18 @@ class AmbientSource {
   std::vector<Room> rooms_;
 };
 
+constexpr int kFirstSide = 6;  // directions, squared, of light that is averaged once more
+
 // Cells of the plate near enough to a sherd for it to shade them or to take sky from them.
-std::vector<char> nearSherds(const Scene& scene, float shadow_reach) {
-  constexpr int n = LightField::kGrid;
+std::vector<char> nearSherds(const Scene& scene, const Room& room) {
+  const int n = gridOf(room);
   std::vector<char> close(static_cast<std::size_t>(n) * n, 0);
-  for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+  for (std::size_t s = 0; s < static_cast<std::size_t>(scene.bodies()); ++s) {
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& p : scene.vertices(static_cast<int>(s))) box.extend(p);
-    const float reach = shadow_reach * box.max().z() + 3;
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
+    const float reach = room.shadow_reach * box.max().z() + 3;
+    for (int y = 1; y < n - 1; ++y)  // the border stays open: what lies beyond is like it
+      for (int x = 1; x < n - 1; ++x) {
         const Eigen::Vector2f p(static_cast<float>(x - n / 2), static_cast<float>(y - n / 2));
         const Eigen::Vector2f q = p.cwiseMax(box.min().head<2>()).cwiseMin(box.max().head<2>());
         if ((p - q).norm() < reach) close[static_cast<std::size_t>(y) * n + x] = 1;
@@ -214,7 +221,7 @@ Room turned(const Room& room, double plate_angle_rad) {
 
 LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed, int threads) {
   LightField field;
-  for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+  for (std::size_t s = 0; s < static_cast<std::size_t>(scene.bodies()); ++s) {
     const auto& points = scene.vertices(static_cast<int>(s));
     const auto& normals = scene.normals(static_cast<int>(s));
     field.vertices.emplace_back(points.size());
@@ -223,8 +230,8 @@ LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed,
           seenShares(scene, room, points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
     });
   }
-  constexpr int n = LightField::kGrid;
-  const std::vector<char> close = nearSherds(scene, room.shadow_reach);
+  const int n = gridOf(room);
+  const std::vector<char> close = nearSherds(scene, room);
   field.plate.assign(static_cast<std::size_t>(n) * n, {1, 1, 1});
   overBlocks(field.plate.size(), threads, [&](std::size_t i) {
     if (!close[i]) return;
@@ -246,9 +253,9 @@ AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& g
                            std::uint64_t seed, const AmbientOptions& options) {
   const AmbientSource source(scene, room, ground, options);
   const int threads = options.threads;
-  constexpr int n = LightField::kGrid;
-  const std::vector<char> close = nearSherds(scene, room.shadow_reach);
-  const auto cell = [](std::size_t i) {
+  const int n = gridOf(room);
+  const std::vector<char> close = nearSherds(scene, room);
+  const auto cell = [n](std::size_t i) {
     return Eigen::Vector3f(static_cast<float>(static_cast<int>(i % n) - n / 2),
                            static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
   };
@@ -256,8 +263,8 @@ AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& g
   field.plate.assign(static_cast<std::size_t>(n) * n, room.sky);
   const auto over = [&](std::vector<std::vector<Eigen::Vector3f>>& vertices,
                         std::vector<Eigen::Vector3f>& cells, const auto& body) {
-    vertices.resize(scene.sherds().size());
-    for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+    vertices.resize(static_cast<std::size_t>(scene.bodies()));
+    for (std::size_t s = 0; s < static_cast<std::size_t>(scene.bodies()); ++s) {
       const auto& points = scene.vertices(static_cast<int>(s));
       const auto& normals = scene.normals(static_cast<int>(s));
       vertices[s].resize(points.size());
@@ -275,9 +282,9 @@ AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& g
   FirstLight first;
   first.plate.assign(field.plate.size(), source.openPlate());
   over(first.vertices, first.plate,
-       [&](const auto& p, const auto& normal, std::uint64_t hash, int side) {
+       [&](const auto& p, const auto& normal, std::uint64_t hash, int) {
          return Eigen::Vector3f(source.lamps(p, normal, hash) +
-                                source.gather(p, normal, hash, nullptr, side));
+                                source.gather(p, normal, hash, nullptr, kFirstSide));
        });
   over(field.vertices, field.plate,
        [&](const auto& p, const auto& normal, std::uint64_t hash, int side) {
@@ -306,7 +313,7 @@ Eigen::Vector3f directLight(const Room& room, const Eigen::Vector3f& p,
 
 void plateLight(const LightField& field, const AmbientField& ambient, const Eigen::Vector2f& p,
                 LightField::Shares& shares, Eigen::Vector3f& irradiance) {
-  constexpr int n = LightField::kGrid;
+  const auto n = static_cast<int>(std::lround(std::sqrt(field.plate.size())));
   const float x = std::clamp(p.x() + n / 2, 0.f, n - 1.001f),
               y = std::clamp(p.y() + n / 2, 0.f, n - 1.001f);
   const int i = static_cast<int>(x), j = static_cast<int>(y);

@@ -29,6 +29,7 @@ struct Light {
 struct Room {
   std::array<Light, kLights> lights;
   Eigen::Vector3f sky;     ///< irradiance from everywhere else on an open horizontal element
+  int ground_mm = 165;     ///< half the side of the ground whose light is known in detail
   float shadow_reach = 3;  ///< length of the longest shadows, in heights of what casts them
 };
 /// A light of this width and height at a distance, mm, turned towards the plate's middle.
@@ -42,8 +43,7 @@ Room turned(const Room& room, double plate_angle_rad);
 struct LightField {
   using Shares = std::array<float, kLights>;
   std::vector<std::vector<Shares>> vertices;  ///< by sherd and vertex
-  std::vector<Shares> plate;                  ///< kGrid x kGrid, row by row
-  static constexpr int kGrid = 331;           ///< 1 mm, -165..165
+  std::vector<Shares> plate;  ///< a square of 1 mm cells around the middle, row by row
 };
 /// Light that comes from the sky and by one reflection; it does not depend on the stop.
 struct AmbientField {

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <limits>
+#include <utility>
 
 namespace ostraka::virtualrig {
 
@@ -28,10 +29,14 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
 }
 
 Scene::Scene(const std::vector<VirtualSherd>& sherds,
-             const std::vector<Eigen::Isometry3d>& plate_from_model)
-    : sherds_(sherds), poses_(plate_from_model), tracer_(std::make_unique<Tracer>()) {
-  for (std::size_t s = 0; s < sherds.size(); ++s) {
-    const TriangleMesh placed = transformed(sherds[s].mesh, plate_from_model[s]);
+             const std::vector<Eigen::Isometry3d>& plate_from_model, std::vector<Prop> props)
+    : sherds_(sherds),
+      poses_(plate_from_model),
+      props_(std::move(props)),
+      tracer_(std::make_unique<Tracer>()) {
+  for (std::size_t s = 0; s < sherds.size() + props_.size(); ++s) {
+    const TriangleMesh placed = s < sherds.size() ? transformed(sherds[s].mesh, plate_from_model[s])
+                                                  : props_[s - sherds.size()].mesh;
     vertices_.push_back(placed.vertices);
     normals_.push_back(vertexNormals(placed));
     RTCGeometry geometry = rtcNewGeometry(tracer_->device, RTC_GEOMETRY_TYPE_TRIANGLE);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
 
 #include "base/parallel.h"
 #include "virtualrig/batch_files.h"
@@ -22,6 +25,44 @@ std::string clockTime(double seconds) {
   return text;
 }
 
+// Draws places until a thing lies clear of the sherds and of other things: on the sheet, or, as
+// cards and pencils do, across its border or beside it. Absent when it finds none.
+std::optional<Eigen::Isometry3d> clearPlace(PropKind kind, const SheetSurface& sheet,
+                                            const std::vector<Eigen::Vector2d>& taken,
+                                            Random& random) {
+  constexpr double kClear = 4;  // mm
+  const bool inside = kind == PropKind::ScaleBar || kind == PropKind::Label;
+  const Eigen::Vector2d half = 0.5 * propSize(kind).head<2>() + Eigen::Vector2d::Constant(kClear),
+                        paper = sheet.plate().sheet->max();
+  for (int round = 0; round < 600; ++round) {
+    const double turn = random.uniform(0, 2 * std::numbers::pi);
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    if (inside) {
+      pose.translation() << random.uniform(-1, 1) * (paper.x() - 34),
+          random.uniform(-1, 1) * (paper.y() - 34), 0;
+    } else {
+      const double around = random.uniform(0, 2 * std::numbers::pi);
+      pose.translation() << std::cos(around) * (paper.x() + random.uniform(15, 70)),
+          std::sin(around) * (paper.y() + random.uniform(15, 70)), 0;
+    }
+    bool clear = true;
+    for (const double sx : {-1.0, 1.0})
+      for (const double sy : {-1.0, 1.0}) {
+        const Eigen::Vector3d corner = pose * Eigen::Vector3d(sx * half.x(), sy * half.y(), 0);
+        // Whole on the paper's blank part, or with all its corners beside the paper.
+        clear = clear && (inside ? sheet.blank(corner.head<2>().cast<float>())
+                                 : !sheet.holds(corner.head<2>().cast<float>()));
+      }
+    for (std::size_t i = 0; clear && i < taken.size(); ++i) {
+      const Eigen::Vector3d p = pose.inverse() * Eigen::Vector3d(taken[i].x(), taken[i].y(), 0);
+      clear = std::abs(p.x()) > half.x() || std::abs(p.y()) > half.y();
+    }
+    if (clear) return pose;
+  }
+  return std::nullopt;
+}
+
 class Photographer {
  public:
   Photographer(const SimulateOptions& options, const CameraModel& model, std::stop_token stop,
@@ -37,6 +78,30 @@ class Photographer {
 
   const SheetSurface& sheet() const { return *sheet_; }
 
+  // As many things as were asked for, in an order that chance chooses, as far as there is room.
+  std::vector<Prop> clutter(const std::vector<VirtualSherd>& sherds,
+                            const std::vector<Eigen::Isometry3d>& poses, Random& random) const {
+    std::vector<Eigen::Vector2d> taken;
+    for (std::size_t s = 0; s < sherds.size(); ++s)
+      for (const Eigen::Vector3f& v : sherds[s].mesh.vertices)
+        taken.push_back((poses[s] * v.cast<double>()).head<2>());
+    std::vector<Prop> props;
+    const int first = random.below(kPropKinds);
+    for (int i = 0; i < options_.hand_held->clutter; ++i) {
+      const auto kind = static_cast<PropKind>((first + i) % kPropKinds);
+      std::optional<Eigen::Isometry3d> place = clearPlace(kind, *sheet_, taken, random);
+      if (!place) continue;
+      if (sheet_->holds(place->translation().head<2>().cast<float>())) {
+        const Prop flat = makeProp(kind, Eigen::Isometry3d::Identity(), random);
+        place = restingOn(*sheet_, *place, flat.mesh.vertices);
+      }
+      props.push_back(makeProp(kind, *place, random));
+      for (const Eigen::Vector3f& v : props.back().mesh.vertices)
+        taken.push_back(v.head<2>().cast<double>());
+    }
+    return props;
+  }
+
   // The shots [first, last) of one side.
   void shootSide(const Scene& scene, const std::vector<FreeShot>& shots, std::size_t first,
                  std::size_t last) const {
@@ -44,7 +109,7 @@ class Photographer {
     const std::uint64_t seed = mixed(options_.seed, first == 0 ? 101 : 102);
     const AmbientField ambient = gatherAmbient(
         scene, room_, ground, seed,
-        {.turning = false, .side = 8, .ground_side = 16, .threads = options_.threads});
+        {.turning = false, .side = 8, .ground_side = 12, .threads = options_.threads});
     if (stop_.stop_requested()) return;
     const LightField field = castShadows(scene, room_, seed, options_.threads);
     parallelFor(last - first, options_.threads, [&](std::size_t i) {
@@ -131,9 +196,14 @@ Result<void> photographByHand(const std::vector<VirtualSherd>& sherds, const Lay
   if (Result<void> r = writeTruth(options.output / "truth", sherds, lying, posedImages(shots)); !r)
     return r;
   const std::size_t half = shots.size() / 2;
-  photographer.shootSide(Scene(sherds, lying.front), shots, 0, half);
+  Random clutter(mixed(options.seed, 15));
+  photographer.shootSide(
+      Scene(sherds, lying.front, photographer.clutter(sherds, lying.front, clutter)), shots, 0,
+      half);
   if (!stop.stop_requested())
-    photographer.shootSide(Scene(sherds, lying.back), shots, half, shots.size());
+    photographer.shootSide(
+        Scene(sherds, lying.back, photographer.clutter(sherds, lying.back, clutter)), shots, half,
+        shots.size());
   if (stop.stop_requested()) return Error::cancelled();
   return report.result();
 }

@@ -131,6 +131,7 @@ std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraMod
 
 Room makeRoom(LightKind kind, Random& random) {
   Room room;
+  room.ground_mm = 235;  // A3 and what lies beside it
   const double azimuth = random.uniform(0, 2 * std::numbers::pi);
   const double away = azimuth + random.uniform(2, 4);  // the second light's
   Light& key = room.lights[0];

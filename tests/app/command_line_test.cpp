@@ -71,7 +71,9 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
       {"plate", {"--output", "--diameter", "--paper", "--ruler-measured"}},
       {"rig calibrate", {"FOLDER", "--output", "--length"}},
       {"rig predict", {"RIG.json", "--width", "extrapolated"}},
-      {"rig simulate", {"--output", "--seed", "--sherds", "--fault", "--touching"}},
+      {"rig simulate",
+       {"--output", "--seed", "--sherds", "--fault", "--touching", "--gloss", "--fstop",
+        "--hand-held", "--sheet", "--table", "--light", "--camera", "--bend", "--clutter"}},
       {"completion", {"bash", "zsh", "fish"}}};
   for (const auto& [command, options] : commands) {
     const Outcome help = run(std::string(command) + " --help");
@@ -229,6 +231,17 @@ TEST_F(CommandLine, CalibrateSaysWhatIsMissingInAFolderWithoutABoard) {
   EXPECT_TRUE(says(outcome, "board.json")) << outcome.text;
   EXPECT_FALSE(fs::exists(path("rig.json")));
   EXPECT_EQ(run("rig calibrate x -o y --length 3").status, 2);
+}
+
+TEST_F(CommandLine, SimulateByHandRefusesWhatOnlyARigHasAndARigWhatOnlyAHandHas) {
+  const std::string simulate = "rig simulate --output " + path("world") + " ";
+  for (const char* wrong :
+       {"--sheet a4", "--light sun", "--bend 3", "--clutter 1", "--hand-held 5 --stops 8",
+        "--hand-held 5 --fault blur", "--hand-held 5 --light moon", "--hand-held 2",
+        "--hand-held 5 --bend 50", "--hand-held 5 --clutter 9", "--gloss 2", "--fstop 0.5"}) {
+    EXPECT_EQ(run(simulate + wrong).status, 2) << wrong;
+    EXPECT_FALSE(fs::exists(path("world"))) << wrong;
+  }
 }
 
 TEST_F(CommandLine, DrawMakesSvgAndPdfAndNamesAModelThatIsOpen) {

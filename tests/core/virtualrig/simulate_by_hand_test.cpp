@@ -151,6 +151,55 @@ TEST_F(BatchByHand, PhotographsTellTheirTimeAndLens) {
   }));
 }
 
+// Variance of the second differences of the brightness: less where the picture is soft.
+double sharpness(const fs::path& file, const cv::Rect& where) {
+  const cv::Mat grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  cv::Mat differences;
+  cv::Laplacian(grey(where), differences, CV_32F);
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(differences, mean, deviation);
+  return deviation[0] * deviation[0];
+}
+
+TEST_F(BatchByHand, AWideOpenLensSoftensThePhotographsAndNotTheMasks) {
+  QuietProgress quiet;
+  for (const double fstop : {0.0, 1.0}) {
+    SimulateOptions options = small(root / (fstop > 0 ? "open" : "pinhole"));
+    options.fstop = fstop;
+    ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  }
+  double open = 0, pinhole = 0;
+  for (const rig::PosedImage& image : *rig::readCameras(root / "open/truth/cameras.json")) {
+    EXPECT_EQ(*readFile(maskOf(root / "open", image)), *readFile(maskOf(root / "pinhole", image)));
+    // The lowest rows are nearest to a low camera: 20 cm instead of 30, a blur of 4 pixels.
+    const cv::Rect near(0, image.intrinsics.height * 3 / 4, image.intrinsics.width,
+                        image.intrinsics.height / 4);
+    open += sharpness(root / "open" / image.file, near);
+    pinhole += sharpness(root / "pinhole" / image.file, near);
+  }
+  EXPECT_LT(open, 0.8 * pinhole);
+}
+
+TEST_F(BatchByHand, ThingsBesideTheSherdsAreSeenAndAreNoSherds) {
+  SimulateOptions options = small(root / "clutter");
+  options.hand_held->clutter = 4;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  int changed = 0;
+  for (const rig::PosedImage& image : *rig::readCameras(root / "clutter/truth/cameras.json")) {
+    const cv::Mat with = cv::imread(maskOf(root / "clutter", image).string(), cv::IMREAD_GRAYSCALE),
+                  without = cv::imread(maskOf(root / "one", image).string(), cv::IMREAD_GRAYSCALE);
+    EXPECT_EQ(cv::countNonZero((with > 0) & (with != without)), 0) << image.file;
+    const cv::Mat shown = cv::imread((root / "clutter" / image.file).string(), 0),
+                  empty = cv::imread((root / "one" / image.file).string(), 0);
+    cv::Mat difference;
+    cv::absdiff(shown, empty, difference);
+    changed += cv::countNonZero(difference > 60);
+  }
+  // A black block of the scale bar alone has 60 mm^2: 250 pixels of 0.5 mm.
+  EXPECT_GT(changed, 6 * 250);
+}
+
 TEST(WalkAround, StaysWhereAPersonWithATelephoneStands) {
   HandHeldOptions hand;
   hand.photographs = 200;

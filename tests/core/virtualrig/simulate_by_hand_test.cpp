@@ -28,7 +28,7 @@ SimulateOptions small(const fs::path& output) {
   SimulateOptions options;
   options.seed = 21;
   options.sherds = 2;
-  options.width = 640;
+  options.width = 800;
   options.output = output;
   options.threads = 1;
   options.hand_held.emplace().photographs = 3;
@@ -169,7 +169,8 @@ TEST_F(BatchByHand, AWideOpenLensSoftensThePhotographsAndNotTheMasks) {
     ASSERT_TRUE(simulateBatch(options, quiet, {}));
   }
   double open = 0, pinhole = 0;
-  for (const rig::PosedImage& image : *rig::readCameras(root / "open/truth/cameras.json")) {
+  const auto images = *rig::readCameras(root / "open/truth/cameras.json");
+  for (const rig::PosedImage& image : images) {
     EXPECT_EQ(*readFile(maskOf(root / "open", image)), *readFile(maskOf(root / "pinhole", image)));
     // The lowest rows are nearest to a low camera: 20 cm instead of 30, a blur of 4 pixels.
     const cv::Rect near(0, image.intrinsics.height * 3 / 4, image.intrinsics.width,
@@ -186,7 +187,8 @@ TEST_F(BatchByHand, ThingsBesideTheSherdsAreSeenAndAreNoSherds) {
   QuietProgress quiet;
   ASSERT_TRUE(simulateBatch(options, quiet, {}));
   int changed = 0;
-  for (const rig::PosedImage& image : *rig::readCameras(root / "clutter/truth/cameras.json")) {
+  const auto images = *rig::readCameras(root / "clutter/truth/cameras.json");
+  for (const rig::PosedImage& image : images) {
     const cv::Mat with = cv::imread(maskOf(root / "clutter", image).string(), cv::IMREAD_GRAYSCALE),
                   without = cv::imread(maskOf(root / "one", image).string(), cv::IMREAD_GRAYSCALE);
     EXPECT_EQ(cv::countNonZero((with > 0) & (with != without)), 0) << image.file;

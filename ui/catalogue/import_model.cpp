@@ -22,22 +22,30 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostRows = 1000;
 constexpr std::size_t kLargest = limits::kTableBytes.most;
 
+using Bytes = std::shared_ptr<const std::string>;
+
 struct Task {
   fs::path source;
+  Bytes bytes;  // of a table; none for an export folder
   exchange::ImportOptions options;
   catalogue::Act act;
 };
 
 Result<exchange::ImportReport> run(catalogue::Project& project, const Task& task,
                                    Progress& progress, std::stop_token stop) {
-  if (fs::is_directory(task.source))
+  if (!task.bytes)
     return exchange::readBack(project, task.source, task.options.mode, task.act, progress, stop);
-  const Result<std::string> bytes = readFile(task.source, kLargest);
-  if (!bytes) return bytes.error();
   if (task.options.mode == exchange::ImportMode::Enter)
     if (const auto saved = project.backUp(); !saved) return saved.error();
-  return exchange::importTable(project.catalogue(), *bytes, task.source.string(), task.options,
+  return exchange::importTable(project.catalogue(), *task.bytes, task.source.string(), task.options,
                                task.act, progress, stop);
+}
+
+Result<Bytes> tableBytes(const fs::path& source) {
+  if (fs::is_directory(source)) return Bytes();
+  Result<std::string> bytes = readFile(source, kLargest);
+  if (!bytes) return bytes.error();
+  return std::make_shared<const std::string>(std::move(*bytes));
 }
 
 // On a copy: a preview does everything and takes it back, and nobody should wait meanwhile.
@@ -66,6 +74,7 @@ QString text(const std::string& value) {
 }  // namespace
 
 struct ImportModel::Look {
+  Bytes bytes;
   exchange::ImportReport report;
   QStringList columns;
   std::vector<Row> rows;
@@ -80,6 +89,7 @@ void ImportModel::openProject(ProjectSession* session) {
   session_ = session;
   state_ = State::Choosing;
   source_.clear();
+  bytes_.reset();
   problem_.clear();
   rows_.clear();
   report_.reset();
@@ -89,6 +99,7 @@ void ImportModel::openProject(ProjectSession* session) {
 void ImportModel::setSource(const QString& path) {
   if (state_ == State::Entering) return;
   source_ = path;
+  bytes_.reset();
   chosen_.clear();
   confirmed_.clear();
   look();
@@ -195,19 +206,22 @@ void ImportModel::look() {
   fraction_ = 0;
   if (!session_ || source_.isEmpty()) return;
   state_ = State::Looking;
-  Task task{source_.toStdString(), options(), session_->act()};
+  Task task{source_.toStdString(), bytes_, options(), session_->act()};
   task.act.source = "import";
   const auto work = [folder = session_->folder(), task](
                         Progress& progress,
                         std::stop_token stop) -> Result<std::shared_ptr<const Look>> {
-    Result<exchange::ImportReport> report = runOnCopy(folder, task, progress, stop);
-    if (!report) return report.error();
     auto look = std::make_shared<Look>();
-    if (!fs::is_directory(task.source)) {
-      const Result<std::string> bytes = readFile(task.source, kLargest);
-      if (!bytes) return bytes.error();
+    const Result<Bytes> bytes = task.bytes ? task.bytes : tableBytes(task.source);
+    if (!bytes) return bytes.error();
+    look->bytes = *bytes;
+    Task read = task;
+    read.bytes = look->bytes;
+    Result<exchange::ImportReport> report = runOnCopy(folder, read, progress, stop);
+    if (!report) return report.error();
+    if (look->bytes) {
       const Result<exchange::CsvTable> table =
-          exchange::parseCsv(*bytes, task.source.filename().string());
+          exchange::parseCsv(*look->bytes, task.source.filename().string());
       if (!table) return table.error();
       for (const std::string& column : table->columns) look->columns << text(column);
       look->rows = rowsOf(*report, &*table);
@@ -241,6 +255,7 @@ void ImportModel::look() {
 
 void ImportModel::took(const Look& look) {
   state_ = State::Ready;
+  bytes_ = look.bytes;
   report_ = look.report;
   confirmed_.clear();  // the rows may mean something else now
   columns_ = look.columns;
@@ -281,7 +296,7 @@ void ImportModel::enter() {
   if (!canEnter()) return;
   state_ = State::Entering;
   fraction_ = 0;
-  Task task{source_.toStdString(), options(), session_->act()};
+  Task task{source_.toStdString(), bytes_, options(), session_->act()};
   task.options.mode = exchange::ImportMode::Enter;
   task.options.columns = report_->mapping.columns;
   task.options.confirmed_lines = confirmed_;

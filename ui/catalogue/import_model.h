@@ -2,8 +2,10 @@
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
+#include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "exchange/import_table.h"
@@ -14,7 +16,8 @@ namespace ostraka::ui {
 class ProjectSession;
 
 /// A table (CSV) or an export folder that is to be read into the project: what each row would do,
-/// why others are refused, then entered whole or not at all. Runs without a display.
+/// why others are refused, then entered whole or not at all. What is entered is the table that was
+/// looked at, whatever becomes of its file meanwhile. Runs without a display.
 class ImportModel final : public QObject {
   Q_OBJECT
 
@@ -74,6 +77,7 @@ class ImportModel final : public QObject {
   ProjectSession* session_ = nullptr;
   State state_ = State::Choosing;
   QString source_, problem_;
+  std::shared_ptr<const std::string> bytes_;  // of the table that was looked at: these are entered
   bool make_places_ = false;
   std::vector<exchange::ColumnChoice> chosen_;
   std::set<int> confirmed_;

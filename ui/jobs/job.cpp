@@ -76,9 +76,15 @@ class JobMessenger final : public Progress {
     });
   }
 
+  bool isPaused() const {
+    const std::lock_guard guard(shared_->lock);
+    return shared_->paused;
+  }
+
   void standStillWhilePaused() {
+    if (!isPaused()) return;
+    post([](JobHandle* handle) { emit handle->stoodStill(); });
     std::unique_lock guard(shared_->lock);
-    if (!shared_->paused) return;
     const Pace::Clock::time_point since = Pace::Clock::now();
     shared_->wake.wait(guard, shared_->stop.get_token(), [this] { return !shared_->paused; });
     pace_.skip(Pace::Clock::now() - since);

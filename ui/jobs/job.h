@@ -61,6 +61,7 @@ class JobHandle : public QObject {
  signals:
   void progressed(const ostraka::ui::JobProgress& progress);  ///< at most 10 times a second
   void noted(ostraka::NoteLevel level, const QString& text);
+  void stoodStill();  ///< the work reached the pause that was asked for, and waits there
   void told(const std::any& value);                       ///< what the work said through tell()
   void finished(const ostraka::ui::JobOutcome& outcome);  ///< exactly once, last of all
 

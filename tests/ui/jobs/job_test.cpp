@@ -220,8 +220,9 @@ class JobTest : public QObject {
     begun.acquire();
     job->pause();
     QVERIFY(job->isPaused());
+    QSignalSpy stood(job, &JobHandle::stoodStill);
     go.release();
-    QCoreApplication::processEvents();
+    QTRY_COMPARE(stood.count(), 1);
     QCOMPARE(steps.load(), 0);
     job->resume();
     QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});

@@ -30,8 +30,10 @@ bool cannotBeReplaced(const fs::path& place) {
   return fs::equivalent(place, fs::current_path(failed), failed);
 }
 
+// A link leads to somebody's folder, whatever that holds.
 bool isLeftover(const fs::path& partial) {
   std::error_code failed;
+  if (!fs::is_directory(fs::symlink_status(partial, failed))) return false;
   for (const fs::directory_entry& entry : fs::directory_iterator(partial, failed))
     if (entry.path().filename() != "lock" && entry.path().filename() != "content") return false;
   return !failed;
@@ -52,7 +54,7 @@ Result<NewFolder> NewFolder::begin(const fs::path& where) {
         "This folder is a disk of its own, or the one you are in; name a new folder in it.",
         where.string()};
   const fs::path partial = place.string() + ".partial";
-  if (fs::exists(partial, failed) && !isLeftover(partial))
+  if (fs::exists(fs::symlink_status(partial, failed)) && !isLeftover(partial))
     return Error{ErrorCode::UnusableInput,
                  "This folder is needed for unfinished files, but holds others; move it away.",
                  partial.string()};

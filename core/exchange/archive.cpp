@@ -7,6 +7,7 @@
 
 #include "base/cannot_write.h"
 #include "base/checksum.h"
+#include "base/new_folder.h"
 #include "exchange/bag_reader.h"
 #include "exchange/bagit.h"
 
@@ -131,7 +132,7 @@ Result<Archived> archiveProject(const catalogue::Project& project, const Archive
   Result<BagWriter> bag = BagWriter::begin(target);
   if (!bag) return bag.error();
   Archiving archiving(project, *bag, progress, std::move(stop));
-  if (Result<void> added = archiving.addCatalogue(target.string() + ".sqlite.partial"); !added)
+  if (Result<void> added = archiving.addCatalogue(bag->folder() / "copy.sqlite"); !added)
     return added.error();
   if (Result<void> added = archiving.addFiles(); !added) return added.error();
   Archived archived;
@@ -173,26 +174,21 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
           "The archive holds a journal of its catalogue, which no archive of "
           "Ostraka does; nothing was written.",
           file.path);
-  const fs::path partial = folderNamed(folder).string() + ".partial";
   std::vector<fs::path> made;  // the innermost first
-  for (fs::path parent = partial.parent_path(); !fs::exists(parent, code);
+  for (fs::path parent = folderNamed(folder).parent_path(); !fs::exists(parent, code);
        parent = parent.parent_path())
     made.push_back(parent);
-  const auto failed = [&](const Error& error) {
-    std::error_code ignored;
-    fs::remove_all(partial, ignored);
-    for (const fs::path& parent : made) fs::remove(parent, ignored);
-    return error;
-  };
-  fs::remove_all(partial, code);  // of one that was cut off
-  fs::create_directories(partial, code);
-  if (code) return failed(cannotWrite(partial, code.value()));
-  if (Result<void> copied = unpack(*bag, partial, progress, stop); !copied)
-    return failed(copied.error());
-  if (Result<void> whole = checkRestored(partial); !whole) return failed(whole.error());
-  fs::remove(folder, code);  // empty, or not there
-  fs::rename(partial, folderNamed(folder), code);
-  if (code) return failed(cannotWrite(folder, code.value()));
+  const Result<void> restored = [&]() -> Result<void> {
+    Result<NewFolder> fresh = NewFolder::begin(folder);
+    if (!fresh) return fresh.error();
+    if (Result<void> copied = unpack(*bag, fresh->path(), progress, stop); !copied) return copied;
+    if (Result<void> whole = checkRestored(fresh->path()); !whole) return whole;
+    return fresh->finish();
+  }();
+  if (!restored) {
+    for (const fs::path& parent : made) fs::remove(parent, code);
+    return restored.error();
+  }
   return Restored{bag->damage()};
 }
 

@@ -40,32 +40,15 @@ fs::path folderNamed(const fs::path& folder) {
   return fs::absolute(folder / "").lexically_normal().parent_path();
 }
 
-BagWriter::BagWriter(fs::path target)
-    : target_(std::move(target)), partial_(target_.string() + ".partial") {}
-
-BagWriter::BagWriter(BagWriter&& other) noexcept
-    : target_(std::move(other.target_)),
-      partial_(std::move(other.partial_)),
-      files_(std::move(other.files_)),
-      distinct_(std::move(other.distinct_)),
-      tags_(std::move(other.tags_)),
-      bytes_(other.bytes_),
-      open_(std::exchange(other.open_, false)) {}
-
-BagWriter::~BagWriter() {
-  std::error_code ignored;
-  if (open_) fs::remove_all(partial_, ignored);
-}
-
 Result<BagWriter> BagWriter::begin(const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code))
     return Error::unusable("There is a folder of this name already; choose another name.", target);
-  BagWriter writer(folderNamed(target));
-  fs::remove_all(writer.partial_, code);  // of an export that was cut off
-  fs::create_directories(writer.partial_ / "data", code);
+  Result<NewFolder> folder = NewFolder::begin(target);
+  if (!folder) return folder.error();
+  fs::create_directories(folder->path() / "data", code);
   if (code) return cannotWrite(target, code.value());
-  return writer;
+  return BagWriter(folderNamed(target), std::move(*folder));
 }
 
 Result<void> BagWriter::take(const std::string& path) {
@@ -78,7 +61,7 @@ Result<void> BagWriter::take(const std::string& path) {
 
 Result<BagFile> BagWriter::add(const std::string& path, std::string_view bytes) {
   if (Result<void> free = take(path); !free) return free.error();
-  const Result<void> written = writeFileAtomically(partial_ / "data" / path, bytes);
+  const Result<void> written = writeFileAtomically(folder_.path() / "data" / path, bytes);
   if (!written) return written.error();
   BagFile file{"data/" + path, sha256(bytes), static_cast<std::int64_t>(bytes.size())};
   files_.push_back(file);
@@ -91,7 +74,7 @@ Result<BagFile> BagWriter::addFile(const std::string& path, const fs::path& sour
   if (Result<void> free = take(path); !free) return free.error();
   Result<OpenFile> in = OpenFile::open(source);
   if (!in) return in.error();
-  const fs::path to = partial_ / "data" / path;
+  const fs::path to = folder_.path() / "data" / path;
   std::error_code code;
   fs::create_directories(to.parent_path(), code);
   const File out(std::fopen(to.c_str(), "wbx"));
@@ -127,23 +110,20 @@ Result<void> BagWriter::finish(const std::map<std::string, std::string>& info,
   tag("manifest-sha256.txt", manifestOf(files_));
   std::vector<BagFile> tag_files;
   for (const auto& [name, text] : tags_) {
-    if (Result<void> written = writeFileAtomically(partial_ / name, text); !written) return written;
+    if (Result<void> written = writeFileAtomically(folder_.path() / name, text); !written)
+      return written;
     tag_files.push_back({name, sha256(text), static_cast<std::int64_t>(text.size())});
   }
   const Result<void> last =
-      writeFileAtomically(partial_ / "tagmanifest-sha256.txt", manifestOf(tag_files));
+      writeFileAtomically(folder_.path() / "tagmanifest-sha256.txt", manifestOf(tag_files));
   if (!last) return last;
   if (check)
-    if (Result<void> good = check(partial_); !good) return good;
+    if (Result<void> good = check(folder_.path()); !good) return good;
   std::error_code code;
   if (fs::exists(target_, code))
     return Error::unusable("Somebody made a folder of this name meanwhile; choose another name.",
                            target_);
-  fs::rename(partial_, target_, code);
-  if (code) return cannotWrite(target_, code.value());
-  open_ = false;
-  syncFolder(target_.parent_path());
-  return {};
+  return folder_.finish();
 }
 
 }  // namespace ostraka::exchange

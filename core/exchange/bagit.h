@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/new_folder.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "exchange/distinct_paths.h"
@@ -23,15 +24,12 @@ struct BagFile {
   std::int64_t bytes = 0;
 };
 
-/// Writes a folder after BagIt 1.0 (RFC 8493). Everything goes to NAME.partial; finish() syncs it
+/// Writes a folder after BagIt 1.0 (RFC 8493). Everything goes to a NewFolder; finish() syncs it
 /// and gives it its name. Without finish() nothing stays behind.
 class BagWriter {
  public:
-  /// Errors: the folder is there already, or cannot be made.
+  /// Errors: the folder is there already, or cannot be made; NAME.partial holds files of others.
   static Result<BagWriter> begin(const std::filesystem::path& target);
-  BagWriter(BagWriter&&) noexcept;
-  BagWriter& operator=(BagWriter&&) = delete;
-  ~BagWriter();
 
   /// path is relative to data/. Errors: the same name twice, '%' or a line break, a full disk.
   Result<BagFile> add(const std::string& path, std::string_view bytes);
@@ -41,22 +39,25 @@ class BagWriter {
                           std::stop_token stop);
   /// A file beside data/, for finish().
   void tag(const std::string& name, const std::string& text);
-  /// Writes bagit.txt, bag-info.txt and the manifests, lets `check` look at NAME.partial, then
+  /// Writes bagit.txt, bag-info.txt and the manifests, lets `check` look at the folder, then
   /// renames.
   Result<void> finish(const std::map<std::string, std::string>& info,
                       const std::function<Result<void>(const std::filesystem::path&)>& check = {});
+  /// The folder meanwhile: what is written there beside add() must be gone before finish().
+  std::filesystem::path folder() const { return folder_.path(); }
   const std::vector<BagFile>& files() const { return files_; }
   std::int64_t bytes() const { return bytes_; }
 
  private:
-  explicit BagWriter(std::filesystem::path target);
+  BagWriter(std::filesystem::path target, NewFolder folder)
+      : target_(std::move(target)), folder_(std::move(folder)) {}
   Result<void> take(const std::string& path);
-  std::filesystem::path target_, partial_;
+  std::filesystem::path target_;
+  NewFolder folder_;
   std::vector<BagFile> files_;
   DistinctPaths distinct_;
   std::vector<std::pair<std::string, std::string>> tags_;  ///< name, text
   std::int64_t bytes_ = 0;
-  bool open_ = true;
 };
 
 /// Every file of the bag, after all hashes agreed (BagReader::open).

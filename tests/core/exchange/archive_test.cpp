@@ -113,6 +113,21 @@ TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
   EXPECT_FALSE(restore());
 }
 
+TEST_F(Archive, LeavesFilesOfOthersAloneThatBearItsUnfinishedNames) {
+  for (const char* mine :
+       {"archive.partial/letter.txt", "archive.sqlite.partial", "laptop.partial/letter.txt"})
+    put(at(mine), "mine");
+  EXPECT_FALSE(archive());
+  EXPECT_EQ(*readFile(at("archive.partial/letter.txt")), "mine");
+  fs::remove_all(at("archive.partial"));
+  ASSERT_TRUE(archive());
+  EXPECT_EQ(*readFile(at("archive.sqlite.partial")), "mine");
+  EXPECT_FALSE(restore());
+  EXPECT_EQ(*readFile(at("laptop.partial/letter.txt")), "mine");
+  fs::remove_all(at("laptop.partial"));
+  EXPECT_TRUE(restore());
+}
+
 TEST_F(Archive, OnAFullDiskNamesTheArchiveAndLeavesNothing) {
   const std::string photograph(std::size_t{3} << 20, 'p');
   put(project_->folder() / "batches/B0001/front/cam0_pos01.jpg", photograph);

@@ -62,6 +62,22 @@ TEST_F(Bag, WithoutItsEndLeavesNothing) {
   EXPECT_FALSE(fs::exists(target.string() + ".partial"));
 }
 
+// Of a stranger that happens to bear the name, and of a link that was planted there.
+TEST_F(Bag, LeavesAFolderOfItsUnfinishedNameAloneThatItDidNotMake) {
+  const fs::path partial = target.string() + ".partial";
+  fs::create_directories(partial);
+  std::ofstream(partial / "letter.txt") << "mine";
+  EXPECT_FALSE(BagWriter::begin(target));
+  EXPECT_EQ(*readFile(partial / "letter.txt"), "mine");
+  fs::rename(partial, folder.path() / "mine");
+  fs::create_directories(folder.path() / "mine/content");
+  std::ofstream(folder.path() / "mine/content/letter.txt") << "mine";
+  fs::remove(folder.path() / "mine/letter.txt");
+  fs::create_directory_symlink(folder.path() / "mine", partial);
+  EXPECT_FALSE(BagWriter::begin(target));
+  EXPECT_EQ(*readFile(folder.path() / "mine/content/letter.txt"), "mine");
+}
+
 TEST_F(Bag, TakesANameWithASlashAtItsEnd) {
   target /= "";
   write();

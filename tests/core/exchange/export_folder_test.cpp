@@ -38,7 +38,7 @@ class AtTheCheck final : public Progress {
   AtTheCheck(fs::path target, std::function<void(const fs::path&)> act)
       : target_(std::move(target)), act_(std::move(act)) {}
   void report(std::int64_t, std::int64_t) override {
-    for (const fs::path& there : {target_, fs::path(target_.string() + ".partial")})
+    for (const fs::path& there : {target_, fs::path(target_.string() + ".partial/content")})
       if (act_ && fs::exists(there / "tagmanifest-sha256.txt")) std::exchange(act_, {})(there);
   }
   void note(NoteLevel, std::string_view) override {}

@@ -45,6 +45,8 @@ inline constexpr Limit kFaces{"Faces of a PLY file", 200'000'000, "faces",
                               "they take 2.4 GB of memory"};
 inline constexpr Limit kFaceCorners{"Corners of a face", 1000, "corners",
                                     "each becomes a triangle; scanners write 3 or 4"};
+inline constexpr Limit kManifestBytes{"Manifest of an archive or an export", 256 * kMiB, "bytes",
+                                      "that of a million files is shorter"};
 inline constexpr Limit kTableBytes{"Table (CSV)", 256 * kMiB, "bytes",
                                    "it is held in memory whole, and shown"};
 inline constexpr Limit kTableRows{"Rows of a table", 1'000'000, "rows",
@@ -54,11 +56,11 @@ inline constexpr Limit kTableFieldBytes{"Field of a table", kMiB, "bytes",
 inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "bytes",
                                    "a remark of 500 pages"};
 
-inline constexpr Limit kAll[] = {kFileBytes,     kJsonBytes,       kJsonDepth,   kPlateMarkers,
-                                 kPlateReach_mm, kBoardSquares,    kRigCameras,  kRigStops,
-                                 kImageSide,     kImagePixels,     kImageBytes,  kNetworkBytes,
-                                 kVertices,      kFaces,           kFaceCorners, kTableBytes,
-                                 kTableRows,     kTableFieldBytes, kValueBytes};
+inline constexpr Limit kAll[] = {kFileBytes,     kJsonBytes,    kJsonDepth,       kPlateMarkers,
+                                 kPlateReach_mm, kBoardSquares, kRigCameras,      kRigStops,
+                                 kImageSide,     kImagePixels,  kImageBytes,      kNetworkBytes,
+                                 kVertices,      kFaces,        kFaceCorners,     kManifestBytes,
+                                 kTableBytes,    kTableRows,    kTableFieldBytes, kValueBytes};
 
 }  // namespace limits
 }  // namespace ostraka

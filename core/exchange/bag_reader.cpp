@@ -6,6 +6,7 @@
 
 #include "base/checksum.h"
 #include "base/files.h"
+#include "base/limits.h"
 #include "catalogue/values.h"
 #include "exchange/distinct_paths.h"
 
@@ -18,7 +19,7 @@ using Hashes = std::map<std::string, std::string>;  // by name
 constexpr const char* kPayload = "manifest-sha256.txt";
 constexpr const char* kTags = "tagmanifest-sha256.txt";
 constexpr const char* kDamage = "damage.txt";
-constexpr std::size_t kMostTagBytes = std::size_t{256} << 20;  // about a million files
+constexpr std::size_t kMostTagBytes = limits::kManifestBytes.most;
 const std::set<std::string> kTagFiles = {"bagit.txt", "bag-info.txt", kPayload, kDamage};
 
 Result<ContainedPath> parsed(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/checksum.h"
+#include "base/limits.h"
 #include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/restore.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace catalogue;
 
-constexpr std::size_t kMostRecordBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostRecordBytes = limits::kJsonBytes.most;
 constexpr const char* kNone = "-";  // what is kept of an empty value
 
 std::string mediaTypeOf(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/limits.h"
 #include "batch/batch.h"
 #include "capture/label_code.h"
 #include "catalogue/project.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kBetweenLooks_ms = 150;  // a live picture is looked at again after as short a rest
 constexpr int kLooksUntilGone = 5;     // a hand may hide a label for a moment
-constexpr std::uintmax_t kLargestPhotograph_bytes = std::uintmax_t{200} << 20;
+constexpr std::uintmax_t kLargestPhotograph_bytes = limits::kImageBytes.most;
 const QSize kFrontPicture(1800, 1400);  // as large as it is ever shown
 
 enum class LookFor {

@@ -5,6 +5,7 @@
 
 #include "catalogue/database.h"
 #include "catalogue/file_check_log.h"
+#include "catalogue/file_header.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
 
@@ -101,6 +102,15 @@ Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const fs::path& fold
 
 Result<CheckedFiles> checkShare(const Catalogue& catalogue, const fs::path& folder,
                                 std::int64_t most_bytes, Progress& progress, std::stop_token stop) {
+  // Reads each page that is in use; unlike checkIntegrity it keeps nobody from writing.
+  const Result<std::string> pages = catalogue.database().door([&] {
+    std::string found;
+    Statement check = catalogue.database().sql("PRAGMA integrity_check(1)");
+    if (check.next()) check >> found;
+    return found;
+  });
+  if (!pages) return pages.error();
+  if (*pages != "ok") return damagedCatalogue(*pages, catalogue.database().file());
   const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
   if (!known) return known.error();
   CheckedFiles result;

@@ -47,7 +47,7 @@ struct CheckedFiles {
 Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const std::filesystem::path& folder,
                                 CheckDepth depth, Progress& progress, std::stop_token stop);
 
-/// A share of them: those that were damaged when last looked at, then those that were not looked at
+/// Every page of the catalogue, then a share of them: those that were damaged when last looked at, then those that were not looked at
 /// for longest, until most_bytes are read.
 Result<CheckedFiles> checkShare(const Catalogue& catalogue, const std::filesystem::path& folder,
                                 std::int64_t most_bytes, Progress& progress, std::stop_token stop);

@@ -30,6 +30,8 @@ void FileWatch::look(const std::filesystem::path& project) {
   connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     std::exchange(job_, nullptr)->deleteLater();
     const auto checked = outcomeAs<catalogue::CheckedFiles>(outcome);
+    if (!checked && checked.error().code == ErrorCode::Damaged)
+      return emit catalogueDamaged(checked.error());
     if (!checked || checked->damaged.empty()) return;
     emit found(tr("%n file(s) of this project are missing or were changed, first %1. Put them "
                   "back from a copy; 'ostraka catalogue check' lists all of them.",

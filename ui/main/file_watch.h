@@ -3,13 +3,15 @@
 #include <QString>
 #include <filesystem>
 
+#include "base/result.h"
+
 namespace ostraka::ui {
 
 class JobHandle;
 class JobRunner;
 
-/// Looks at a share of a project's files in the background each time it is opened, so that damage
-/// by a disk is known while there still are copies.
+/// Looks at the catalogue and a share of a project's files in the background each time it is
+/// opened, so that damage by a disk is known while there still are copies.
 class FileWatch final : public QObject {
   Q_OBJECT
 
@@ -20,6 +22,7 @@ class FileWatch final : public QObject {
 
  signals:
   void found(const QString& words);  ///< files are missing or changed, and what to do
+  void catalogueDamaged(const ostraka::Error& damage);
 
  private:
   JobRunner& runner_;

@@ -26,6 +26,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/frame/rail.h"
 #include "ui/frame/thumbnails.h"
+#include "ui/main/catalogue_repair.h"
 #include "ui/main/file_watch.h"
 #include "ui/main/help_page.h"
 #include "ui/main/project_lock.h"
@@ -73,6 +74,11 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
   connect(file_watch_, &FileWatch::found, footer_, &FooterLine::say);
+  connect(file_watch_, &FileWatch::catalogueDamaged, this, [this](const Error& damage) {
+    if (wizard_->isShooting()) return footer_->say(sentenceOf(damage));
+    closeProject();  // nothing more is entered
+    start_->showError(damage);
+  });
   auto* back_up = new QTimer(this);
   connect(back_up, &QTimer::timeout, this, &MainWindow::backUp);
   back_up->start(kBackUpEvery_ms);
@@ -140,6 +146,9 @@ void MainWindow::buildLayout() {
   connect(start_, &StartScreen::settingsWanted, this, &MainWindow::showSettings);
   connect(start_, &StartScreen::manualWanted, this, &MainWindow::showManual);
   connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
+  auto* repair = new CatalogueRepair(runner_, this);
+  connect(start_, &StartScreen::repairWanted, repair, &CatalogueRepair::repair);
+  connect(repair, &CatalogueRepair::told, start_, &StartScreen::showRepair);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/frame/big_button.h"
 #include "ui/frame/form_rows.h"
@@ -72,7 +73,7 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   columns->addWidget(buildNew(), 1);
   message_->setObjectName(QStringLiteral("startMessage"));
   message_->hide();
-  connect(message_, &MessagePanel::acted, message_, &QWidget::hide);
+  connect(message_, &MessagePanel::acted, this, &StartScreen::act);
   auto* head = new QHBoxLayout;
   head->addWidget(title);
   head->addStretch();
@@ -229,7 +230,25 @@ void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QStr
 }
 
 void StartScreen::showError(const Error& error) {
-  message_->showError(error, tr("OK"));
+  damaged_.clear();
+  repaired_.clear();
+  if (error.code == ErrorCode::Damaged)
+    damaged_ = QFileInfo(QString::fromStdString(error.where)).absolutePath();
+  message_->showError(error, damaged_.isEmpty() ? tr("OK") : tr("Repair the catalogue"));
+}
+
+void StartScreen::showRepair(const QString& headline, const QString& words,
+                             const QString& project) {
+  damaged_.clear();
+  repaired_ = project;
+  message_->showWords(headline, words, project.isEmpty() ? tr("OK") : tr("Open the project"));
+}
+
+void StartScreen::act() {
+  const QString damaged = std::exchange(damaged_, {}), repaired = std::exchange(repaired_, {});
+  message_->hide();
+  if (!damaged.isEmpty()) emit repairWanted(damaged);
+  if (!repaired.isEmpty()) emit opened(repaired);
 }
 
 void StartScreen::follow() {

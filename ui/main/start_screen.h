@@ -21,12 +21,16 @@ class StartScreen final : public QWidget {
   explicit StartScreen(Thumbnails* thumbnails, QWidget* parent = nullptr);
   /// titles: of the projects, by folder. One whose folder is gone stays, to be found again.
   void setRecent(const QStringList& folders, const QMap<QString, QString>& titles);
+  /// Of a damaged catalogue it offers the repair.
   void showError(const Error& error);
+  /// project: may be opened now; empty: not.
+  void showRepair(const QString& headline, const QString& words, const QString& project);
   NewProject* fresh() const { return fresh_; }
 
  signals:
   void opened(const QString& folder);                      ///< to be opened
   void found(const QString& lost, const QString& folder);  ///< of a project that was moved
+  void repairWanted(const QString& folder);                ///< of its damaged catalogue
   void virtualRigWanted();
   void settingsWanted();
   void manualWanted();
@@ -40,6 +44,7 @@ class StartScreen final : public QWidget {
   void chooseProject();
   void findLost(const QString& folder);
   void make();
+  void act();
 
   Thumbnails* thumbnails_;
   NewProject* fresh_;
@@ -48,6 +53,7 @@ class StartScreen final : public QWidget {
   QLineEdit *name_, *site_, *folder_, *numbering_;
   BigButton *make_, *try_;
   MessagePanel* message_;
+  QString damaged_, repaired_;  ///< folders of the project that the message is about
 };
 
 }  // namespace ostraka::ui

@@ -13,6 +13,7 @@
 #include "catalogue/project.h"
 #include "catalogue/sherd.h"
 #include "person.h"
+#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/station.h"
 #include "ui/jobs/job.h"
@@ -192,6 +193,42 @@ class MainWindowTest : public QObject {
     QTRY_VERIFY(named<QLabel>(window, "footerSaid")
                     ->text()
                     .contains(QStringLiteral("models/B0001/a/model.ply")));
+  }
+
+  void aDamagedCatalogueIsRepairedByOneButtonAndOpened() {
+    const QString file = folder_ + QStringLiteral("/catalogue.sqlite");
+    auto bytes = readFile(file.toStdString());
+    QVERIFY(bytes.has_value());
+    (*bytes)[5 * 4096 + 100] = static_cast<char>((*bytes)[5 * 4096 + 100] ^ 4);
+    QVERIFY(writeFileAtomically(file.toStdString(), *bytes).has_value());
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);  // the page is not among those that are read at once
+    QTRY_VERIFY(window.session() == nullptr);
+    auto* message = named<MessagePanel>(window, "startMessage");
+    QCOMPARE(message->act()->text(), QStringLiteral("Repair the catalogue"));
+    QTest::mouseClick(message->act(), Qt::LeftButton);
+    QTRY_COMPARE(message->headline(), QStringLiteral("The catalogue is repaired."));
+    QVERIFY2(message->words().contains("Everything in it is as it was."),
+             qPrintable(message->words()));
+    QVERIFY2(message->words().contains("catalogue-damaged"), qPrintable(message->words()));
+    QCOMPARE(message->act()->text(), QStringLiteral("Open the project"));
+    QTest::mouseClick(message->act(), Qt::LeftButton);
+    QVERIFY(window.session() != nullptr);
+    QVERIFY(window.windowTitle().startsWith("Aragats 2026"));
+  }
+
+  void aCatalogueThatCannotBeRepairedSaysWhyAndStaysAsItIs() {
+    const QString file = folder_ + QStringLiteral("/catalogue.sqlite");
+    QVERIFY(QFile::resize(file, 0));  // and no backup is there
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    auto* message = named<MessagePanel>(window, "startMessage");
+    QTest::mouseClick(message->act(), Qt::LeftButton);
+    QTRY_COMPARE(message->headline(), QStringLiteral("The catalogue could not be repaired."));
+    QCOMPARE(message->act()->text(), QStringLiteral("OK"));
+    QCOMPARE(QFileInfo(file).size(), 0);
   }
 
   void theLogIsShownFromEveryPage() {

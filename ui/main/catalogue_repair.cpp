@@ -1,0 +1,96 @@
+#include "ui/main/catalogue_repair.h"
+
+#include <QFileInfo>
+#include <QStringList>
+#include <utility>
+
+#include "base/files.h"
+#include "catalogue/repair.h"
+#include "ui/jobs/job.h"
+#include "ui/main/project_lock.h"
+#include "ui/words/sentence.h"
+
+namespace ostraka::ui {
+namespace {
+
+using catalogue::RepairedRow;
+using catalogue::RepairReport;
+
+constexpr int kMostRows = 8;  // that a message shows; the others stand in the list
+
+QString text(const std::string& value) {
+  return QString::fromStdString(value);
+}
+
+QString wordsOf(const RepairedRow& row, const QString& backup) {
+  QString what = text(row.table);
+  if (row.row > 0) what += QLatin1Char(' ') + QString::number(row.row);
+  if (!row.name.empty()) what += QStringLiteral(" (%1)").arg(text(row.name));
+  if (!row.field.empty()) what += QStringLiteral(", ") + text(row.field);
+  switch (row.from) {
+    case RepairedRow::From::Backup:
+      return CatalogueRepair::tr("%1: from %2").arg(what, backup);
+    case RepairedRow::From::History:
+      return CatalogueRepair::tr("%1: from the history").arg(what);
+    case RepairedRow::From::Nowhere:
+      break;
+  }
+  return CatalogueRepair::tr("%1: not restored").arg(what);
+}
+
+QString wordsOf(const RepairReport& report) {
+  if (report.damaged.empty()) return CatalogueRepair::tr("It is whole; nothing was changed.");
+  const QString backup = text(report.backup.filename().string());
+  QStringList words;
+  if (report.all_from_backup)
+    words << CatalogueRepair::tr(
+                 "Nothing in the damaged file could be read: it is that of %1 "
+                 "again. Look what is missing since.")
+                 .arg(backup);
+  QStringList rows;
+  for (const RepairedRow& row : report.rows) rows << wordsOf(row, backup);
+  if (rows.isEmpty() && !report.all_from_backup)
+    words << CatalogueRepair::tr("Everything in it is as it was.");
+  words << rows.mid(0, kMostRows);
+  const std::filesystem::path list = report.damaged.string() + ".txt";
+  if (rows.size() > kMostRows &&
+      writeFileAtomically(list, rows.join(QLatin1Char('\n')).toStdString() + "\n"))
+    words << CatalogueRepair::tr("All %1 rows stand in %2.")
+                 .arg(rows.size())
+                 .arg(text(list.filename().string()));
+  words << CatalogueRepair::tr("The damaged file is kept: %1")
+               .arg(text(report.damaged.filename().string()));
+  return words.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+CatalogueRepair::CatalogueRepair(JobRunner& runner, QObject* parent)
+    : QObject(parent), runner_(runner) {}
+CatalogueRepair::~CatalogueRepair() = default;
+
+void CatalogueRepair::repair(const QString& folder) {
+  if (job_ != nullptr) return;
+  lock_ = ProjectLock::take(folder);
+  if (lock_ == nullptr)
+    return emit told(
+        folder, tr("Another window has this project open: close it there, then repair it."), {});
+  emit told(tr("The catalogue is being repaired …"), folder, {});
+  const std::filesystem::path project = folder.toStdString();
+  job_ = runner_.start(
+      makeJob(tr("Repair of the catalogue"),
+              [project](Progress& progress, std::stop_token stop) -> Result<RepairReport> {
+                return catalogue::repairCatalogue(project, progress, stop);
+              }),
+      this);
+  connect(job_, &JobHandle::finished, this, [this, folder](const JobOutcome& outcome) {
+    std::exchange(job_, nullptr)->deleteLater();
+    lock_.reset();
+    const auto report = outcomeAs<RepairReport>(outcome);
+    if (!report)
+      return emit told(tr("The catalogue could not be repaired."), sentenceOf(report.error()), {});
+    emit told(tr("The catalogue is repaired."), wordsOf(*report), folder);
+  });
+}
+
+}  // namespace ostraka::ui

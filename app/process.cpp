@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "pipeline/process_batch.h"
+#include "registration/within.h"
 
 namespace ostraka::app {
 namespace {
@@ -50,14 +51,14 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
 
 void printTable(const ProcessSummary& summary) {
   std::printf("%-6s %-8s %-8s %7s %10s %12s  %s\n", "sherd", "front", "back", "score", "rim RMS mm",
-              "uncertain mm", "");
+              "within mm", "");
   for (const SherdSummary& s : summary.sherds) {
     const std::string state = std::string(s.ambiguous ? "AMBIGUOUS " : "") +
                               (s.decided_by.empty() ? "" : "decided by " + s.decided_by + " ") +
                               (s.has_model ? "" : "no model ") + s.remark;
-    std::printf("%-6s %-8s %-8s %7.4f %10s %12.3f  %s\n", s.number.c_str(), s.front.c_str(),
+    std::printf("%-6s %-8s %-8s %7.4f %10s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
                 s.back.c_str(), s.score, s.rimsCompared() ? fixed(s.rim_rms_mm, 3).c_str() : "-",
-                s.uncertainty_mm, state.c_str());
+                registration::within95_mm(s.uncertainty_mm), state.c_str());
   }
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);

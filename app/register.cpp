@@ -8,6 +8,7 @@
 #include "command.h"
 #include "pipeline/register_report.h"
 #include "pipeline/register_scans.h"
+#include "registration/within.h"
 
 namespace ostraka::app {
 namespace {
@@ -32,13 +33,14 @@ ordered_json asJson(const RegisterSummary& summary, int status) {
 
 void printTable(const RegisterSummary& summary) {
   std::printf("%-6s %-8s %-8s %7s %7s %10s %8s %12s\n", "sherd", "front", "back", "score", "margin",
-              "rim RMS mm", "overlap", "uncertain mm");
+              "rim RMS mm", "overlap", "within mm");
   for (const RegisterSummary::Pair& p : summary.pairs)
-    std::printf("%-6s %-8s %-8s %7.4f %7.4f %10s %8s %12.3f  %s%s\n", p.number.c_str(),
+    std::printf("%-6s %-8s %-8s %7.4f %7.4f %10s %8s %12.2f  %s%s\n", p.number.c_str(),
                 p.front.c_str(), p.back.c_str(), p.score, p.margin,
                 p.rimsCompared() ? fixed(p.rim_rms_mm, 3).c_str() : "-",
-                p.rimsCompared() ? fixed(p.rim_overlap, 2).c_str() : "-", p.uncertainty_mm,
-                p.ambiguous ? "AMBIGUOUS " : "", p.reason.c_str());
+                p.rimsCompared() ? fixed(p.rim_overlap, 2).c_str() : "-",
+                registration::within95_mm(p.uncertainty_mm), p.ambiguous ? "AMBIGUOUS " : "",
+                p.reason.c_str());
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);
   std::printf("%zu %s in %.1f s: %s\n", summary.pairs.size(),

@@ -20,7 +20,7 @@ constexpr float kLeastRadius_mm = 0.9f;   // about 4 pixels of the rig: the wind
 constexpr float kLeastSpacings = 3.0f;    // some 18 neighbours on a flat
 constexpr float kNearestSpacings = 2.4f;  // least radius of the smoothing: some 12 neighbours
 constexpr float kFewest = 3;  // neighbours, by weight, that a point needs to be believed
-constexpr std::size_t kFewestSurfels = 50;  // 4 mm^2 of surface at the least spacing
+constexpr std::size_t kFewestSurfels = 400;  // ten by twenty a side: fewer tell no thickness
 
 // All points of both sides: what the fits are made from.
 struct Sources {

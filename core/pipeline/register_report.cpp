@@ -9,6 +9,7 @@
 #include "base/markup.h"
 #include "base/text.h"
 #include "cloud/point_cloud.h"
+#include "registration/within.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -92,7 +93,7 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
   page +=
       "<p>Blue: front. Red: back. Left: seen from above; right: a slice of 1 mm through the "
       "middle.</p><table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certain</th><th>Rim "
-      "RMS</th><th>Rim met</th><th>Uncertainty</th><th>Remark</th><th>Both sides</th></tr>";
+      "RMS</th><th>Rim met</th><th>Within (95 %)</th><th>Remark</th><th>Both sides</th></tr>";
   for (std::size_t i = 0; i < summary.pairs.size(); ++i) {
     const RegisterSummary::Pair& p = summary.pairs[i];
     const pairing::Decision& d = table.pairs[i].decision;
@@ -108,7 +109,8 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
             (p.rimsCompared() ? fixed(p.rim_rms_mm, 3) + " mm</td><td>" +
                                     fixed(100 * p.rim_overlap, 0) + " %</td><td>"
                               : std::string("–</td><td>–</td><td>")) +
-            fixed(p.uncertainty_mm, 3) + " mm</td><td>" + markupText(remark) + "</td><td>" +
+            fixed(registration::within95_mm(p.uncertainty_mm), 2) + " mm</td><td>" +
+            markupText(remark) + "</td><td>" +
             pictures(fronts[static_cast<std::size_t>(d.front)],
                      backs[static_cast<std::size_t>(d.back)], table.pairs[i], summary.mm) +
             "</td></tr>";

@@ -14,6 +14,7 @@
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
 #include "pipeline/report.h"
+#include "registration/within.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -239,7 +240,7 @@ std::string pairTable(const ReportInput& input) {
   std::string html =
       "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certainty</th><th>Margin</"
       "th><th>Rim RMS mm</th><th>Rim met</th>"
-      "<th>Uncertainty mm</th><th class=\"words\">Remark</th></tr>";
+      "<th>Within mm (95 %)</th><th class=\"words\">Remark</th></tr>";
   for (const ReportSherd& sherd : input.sherds) {
     const DecidedPair& p = *sherd.pair;
     html += "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
@@ -248,8 +249,8 @@ std::string pairTable(const ReportInput& input) {
             (p.rimsCompared()
                  ? fixed(p.rim_rms_mm, 3) + "</td><td>" + fixed(100 * p.rim_overlap, 0) + " %"
                  : std::string("–</td><td>–")) +
-            "</td><td>" + fixed(p.uncertainty_mm, 3) + "</td><td class=\"words\">" +
-            (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
+            "</td><td>" + fixed(registration::within95_mm(p.uncertainty_mm), 2) +
+            "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
             markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
   }
   html += "</table>";

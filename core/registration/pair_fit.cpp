@@ -202,12 +202,12 @@ Matrix6 PairFit::stripStiffness(const FittedPose& pose) const {
   return lower * turned * lower.transpose();
 }
 
-// Where the gradient grows by H and scatters by I, the pose scatters by H^-1 I H^-1.
+// Where the gradient grows by H and scatters by I, the pose scatters by H^-1 I H^-1. Directions
+// that no witness holds are held by the start, from which the fit did not move there.
 Matrix6 PairFit::covariance(const FittedPose& pose) const {
-  const double apart =
-      strain(pose.witnesses, startEvidence(pose, pivot(pose.front_from_back)).information);
-  Matrix6 scatter = pose.evidence.information;
-  scatter.diagonal().array() += 1e-9;
+  const Matrix6 start = startEvidence(pose, pivot(pose.front_from_back)).information;
+  const double apart = strain(pose.witnesses, start);
+  const Matrix6 scatter = pose.evidence.information + start;
   // Strips of scanners hold what their rows say: errors are 0.6 to 0.9 of what is stated.
   if (contact_.grain_mm <= 0) return apart * apart * scatter.inverse();
   const Testimony& strip = pose.witnesses[0];
@@ -217,9 +217,11 @@ Matrix6 PairFit::covariance(const FittedPose& pose) const {
 }
 
 double PairFit::uncertainty(const Matrix6& covariance) const {
-  // RMS over points spread by the radius: each turn moves two of three coordinates.
-  return std::sqrt(covariance.bottomRightCorner<3, 3>().trace() +
-                   covariance.topLeftCorner<3, 3>().trace() * radius_mm_ * radius_mm_ * 2.0 / 3.0);
+  // RMS over points spread by the radius: each turn moves two of three coordinates. Beyond the
+  // sherd's own size no pose is off: its outlines were laid on each other.
+  return std::min(2 * radius_mm_, std::sqrt(covariance.bottomRightCorner<3, 3>().trace() +
+                                            covariance.topLeftCorner<3, 3>().trace() * radius_mm_ *
+                                                radius_mm_ * 2.0 / 3.0));
 }
 
 double PairFit::distance(const Isometry3d& a, const Isometry3d& b) const {

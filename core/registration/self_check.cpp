@@ -15,6 +15,7 @@ using Eigen::Vector3f;
 
 constexpr double kLargestRmsMm = 0.60;          // twice the worst true pair of fat stereo strips
 constexpr double kSmallestOverlap = 0.02;       // below it the rims were not seen from both sides
+constexpr double kLittleOverlap = 0.20;         // of whole scans 0.6 and more meets
 constexpr double kLargestCrossing = 0.10;       // faces may touch at feathered edges only
 constexpr double kLargestUncertaintyMm = 0.20;  // two of them are the 0.40 mm that must not pass
 constexpr float kFace = 0.8f;      // within 37 degrees of the viewer: face, no broken edge
@@ -96,6 +97,9 @@ void judgeRegistration(const Strip& front, const Strip& back, Registration& foun
                                     100 * wall.crossing_share));
   else if (found.rim_overlap < kSmallestOverlap)
     slip(Slip::NoSharedRim, "The two scans share almost no broken edge; outlines alone tie them.");
+  else if (found.rim_overlap < kLittleOverlap)
+    slip(Slip::NoSharedRim,
+         sentence("The two scans share only %.0f %% of the broken edge.", 100 * found.rim_overlap));
   else if (found.rim_rms_mm > kLargestRmsMm)
     slip(Slip::RimMisfits, sentence("The broken edges do not fit: %.2f mm RMS.", found.rim_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)

@@ -17,3 +17,6 @@ endif()
 add_executable(registration_processed registration_processed.cpp)
 target_link_libraries(registration_processed PRIVATE ostraka_pipeline ostraka_registration
   nlohmann_json::nlohmann_json opencv_imgcodecs)
+add_executable(joining_figures joining_figures.cpp)
+target_link_libraries(joining_figures PRIVATE ostraka_base nlohmann_json::nlohmann_json)
+target_include_directories(joining_figures PRIVATE ${CMAKE_SOURCE_DIR}/core)

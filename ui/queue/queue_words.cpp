@@ -3,6 +3,7 @@
 #include <QLocale>
 
 #include "batch/batch.h"
+#include "registration/within.h"
 #include "ui/queue/batch_queue.h"
 
 namespace ostraka::ui {
@@ -72,8 +73,8 @@ QString figuresWords(const BatchFigures& figures) {
     told = BatchQueue::tr("%1; the number %2 was typed on its plate, and none of its sherds has it")
                .arg(told, QString::fromStdString(number));
   if (figures.uncertainty_mm <= 0) return told;
-  return BatchQueue::tr("%1; joined to %2 mm")
-      .arg(told, QLocale().toString(figures.uncertainty_mm, 'f', 2));
+  return BatchQueue::tr("%1; joined to within %2 mm")
+      .arg(told, QLocale().toString(registration::within95_mm(figures.uncertainty_mm), 'f', 2));
 }
 
 QString movedWords(const BatchFigures& figures) {

@@ -104,7 +104,9 @@ QString slipSentence(Slip slip, double value) {
     case Slip::FacesCross:
       return tr("The faces cross: %1 of the front lies behind the back.").arg(percent(value));
     case Slip::NoSharedRim:
-      return tr("The two scans share almost no broken edge; outlines alone tie them.");
+      return value < 0.02
+                 ? tr("The two scans share almost no broken edge; outlines alone tie them.")
+                 : tr("The two scans share only %1 of the broken edge.").arg(percent(value));
     case Slip::RimMisfits:
       return tr("The broken edges do not fit: %1 apart.").arg(mm(value));
     case Slip::RimLoose:

@@ -149,6 +149,19 @@ TEST(CloseModel, WhatCannotBeUsedIsSaid) {
             ErrorCode::UnusableInput);
 }
 
+// 80 points a side made a closed body with a length, a width and a thickness of nothing.
+TEST(CloseModel, APointEveryFewMillimetresMakesNoModel) {
+  const BoxScan sparse{.spacing_mm = 3};
+  const PointCloud front = scanOfBox(sparse, false, 1), back = scanOfBox(sparse, true, 2);
+  ASSERT_GT(front.size() + back.size(), 150u);
+  ASSERT_LT(front.size() + back.size(), 250u);
+  const auto model = closed(front, back);
+  ASSERT_FALSE(model.has_value());
+  EXPECT_EQ(model.error().code, ErrorCode::NotEnough);
+  const BoxScan coarse{.spacing_mm = 1};
+  EXPECT_TRUE(closed(scanOfBox(coarse, false, 1), scanOfBox(coarse, true, 2)).has_value());
+}
+
 TEST(CloseModel, ItStopsOnRequest) {
   std::stop_source stop;
   stop.request_stop();

@@ -100,6 +100,19 @@ TEST(RegisterSides, TheUncertaintyIsOfTheSizeOfTheErrors) {
   EXPECT_LT(squares, 9 * claimed);
 }
 
+// Where no rims meet nothing but the start tells how the sides lie. Its uncertainty was stated as
+// 30 m.
+TEST(RegisterSides, SidesThatDoNotMeetAreNoMoreUncertainThanTheyAreLarge) {
+  const SimulatedSherd sherd = simulatedSherd({});
+  Isometry3d start = sherd.truth;
+  start.pretranslate(Eigen::Vector3d(100, 0, 0));
+  const auto found = run(sherd.front, sherd.back, {start}, {}, false);
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  EXPECT_TRUE(found->slipped);
+  EXPECT_GT(found->uncertainty_mm, 1) << "a start's height";
+  EXPECT_LT(found->uncertainty_mm, 45) << "the sherd's size";
+}
+
 TEST(RegisterSides, NoStartNoNormalsAndSenselessOptionsAreRefused) {
   SimulatedSherd sherd = simulatedSherd({});
   EXPECT_EQ(run(sherd.front, sherd.back, {}).error().code, ErrorCode::NotEnough);

@@ -65,6 +65,19 @@ TEST_F(SelfCheck, APoseThatTheRimHardlyFixesIsFlagged) {
   EXPECT_TRUE(judged(r).slipped);
 }
 
+// Such a pair may well be right, but not without a word of how little holds it.
+TEST_F(SelfCheck, APairThatSharesLittleOfItsBrokenEdgeIsFlaggedWithTheShare) {
+  Registration r = good;
+  r.rim_overlap = 0.15;
+  r = judged(r);
+  EXPECT_TRUE(r.slipped);
+  EXPECT_EQ(r.slip, Slip::NoSharedRim);
+  EXPECT_EQ(r.reason, "The two scans share only 15 % of the broken edge.");
+  r = good;
+  r.rim_overlap = 0.25;
+  EXPECT_FALSE(judged(r).slipped) << r.reason;
+}
+
 TEST(RimLikelihood, TellsTruePairsFromLookAlikesOnCleanScans) {
   // The figures of the clean sets: true pairs up to 0.13 mm, false ones from 0.31 mm.
   EXPECT_GT(rimLogLikelihood(0.13, 0.09, 5000), 3.0);

@@ -1,7 +1,10 @@
 #include "catalogue/database.h"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <list>
 #include <thread>
@@ -283,6 +286,55 @@ Database::Scope::~Scope() {
   }
 }
 
+// SQLite calls a disk full that takes no more bytes, but not one that takes no more files: it tries
+// to open what could not be made for reading, and says that it is not there.
+static bool isFullAt(const fs::path& folder) {
+  const std::string file = folder / (".room." + std::to_string(::getpid()) + ".partial");
+  const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+  bool full = made < 0 && (errno == ENOSPC || errno == EDQUOT);
+  if (made < 0) return full;
+  full = ::write(made, "?", 1) != 1 && (errno == ENOSPC || errno == EDQUOT);
+  ::close(made);
+  ::unlink(file.c_str());
+  return full;
+}
+
+static Error errorAt(const SqlFailure& failure, const fs::path& file) {
+  if (failure.code == SQLITE_IOERR_DATA) return damagedCatalogue("a page was changed", file);
+  const int kind = failure.code & 0xFF;
+  if (kind == SQLITE_FULL ||
+      ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullAt(file.parent_path())))
+    return {ErrorCode::CannotWrite,
+            "The disk is full; make room, then try again. Nothing was lost.", file.string()};
+  switch (kind) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {ErrorCode::Failed,
+              "Another program keeps the catalogue busy; close it, then try again.", file.string()};
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return {ErrorCode::CannotWrite,
+              "The catalogue cannot be written to; check the permissions of the folder.",
+              file.string()};
+    case SQLITE_IOERR:
+      return {ErrorCode::CannotWrite,
+              "The disk does not answer properly; check it, then open the project again.",
+              file.string()};
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return damagedCatalogue("its pages do not fit together", file);
+    default:
+      return {ErrorCode::UnusableInput,
+              std::string("The catalogue does not take this (") + failure.what() + ").",
+              file.string()};
+  }
+}
+
+Error Database::errorOf(const SqlFailure& failure) const {
+  return errorAt(failure, file_);
+}
+
 void Database::copyTo(const fs::path& file) const {
   sqlite3* target = nullptr;
   int code =
@@ -302,9 +354,8 @@ void Database::copyTo(const fs::path& file) const {
   const std::string text = sqlite3_errmsg(target);
   sqlite3_close(target);
   if (code == SQLITE_OK) return;
-  Error error = errorOf({code, text});
-  if (error.code == ErrorCode::CannotWrite) error.where = file.string();  // not this one
-  throw Refused(std::move(error));
+  const Error error = errorAt({code, text}, file);
+  throw Refused(error.code == ErrorCode::CannotWrite ? error : errorOf({code, text}));
 }
 
 Result<void> Database::rewriteWithChecksums(const fs::path& file) {
@@ -319,37 +370,6 @@ Result<void> Database::rewriteWithChecksums(const fs::path& file) {
     const std::string vfs = std::string("vfs=") + checkedPagesVfs();
     sql("VACUUM INTO ?").with(uriOf(file, vfs.c_str())).run();
   });
-}
-
-Error Database::errorOf(const SqlFailure& failure) const {
-  if (failure.code == SQLITE_IOERR_DATA) return damagedCatalogue("a page was changed", file_);
-  switch (failure.code & 0xFF) {
-    case SQLITE_FULL:
-      return {ErrorCode::CannotWrite,
-              "The disk is full; make room, then try again. Nothing was lost.", file_.string()};
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      return {ErrorCode::Failed,
-              "Another program keeps the catalogue busy; close it, then try again.",
-              file_.string()};
-    case SQLITE_READONLY:
-    case SQLITE_PERM:
-    case SQLITE_CANTOPEN:
-      return {ErrorCode::CannotWrite,
-              "The catalogue cannot be written to; check the permissions of the folder.",
-              file_.string()};
-    case SQLITE_IOERR:
-      return {ErrorCode::CannotWrite,
-              "The disk does not answer properly; check it, then open the project again.",
-              file_.string()};
-    case SQLITE_CORRUPT:
-    case SQLITE_NOTADB:
-      return damagedCatalogue("its pages do not fit together", file_);
-    default:
-      return {ErrorCode::UnusableInput,
-              std::string("The catalogue does not take this (") + failure.what() + ").",
-              file_.string()};
-  }
 }
 
 }  // namespace ostraka::catalogue

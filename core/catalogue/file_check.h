@@ -47,8 +47,9 @@ struct CheckedFiles {
 Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const std::filesystem::path& folder,
                                 CheckDepth depth, Progress& progress, std::stop_token stop);
 
-/// Every page of the catalogue, then a share of them: those that were damaged when last looked at, then those that were not looked at
-/// for longest, until most_bytes are read.
+/// Every page of the catalogue, then a share of them: those that were damaged when last looked at,
+/// then those that were not looked at for longest, until most_bytes are read. Errors: Damaged (the
+/// catalogue itself), Cancelled, those of the catalogue.
 Result<CheckedFiles> checkShare(const Catalogue& catalogue, const std::filesystem::path& folder,
                                 std::int64_t most_bytes, Progress& progress, std::stop_token stop);
 

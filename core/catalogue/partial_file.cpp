@@ -55,6 +55,11 @@ PartialFile::~PartialFile() {
 }
 
 Result<void> PartialFile::become(const fs::path& file, Existing existing) {
+  // SQLite keeps to itself that it could not bring all into the file when it closed it.
+  std::error_code none;
+  for (const char* part : {"-wal", "-journal"})
+    if (const auto bytes = fs::file_size(path_.string() + part, none); !none && bytes > 0)
+      return cannotWrite(path_, ENOSPC);
   if (Result<void> synced = syncFile(path_); !synced) return synced;
   int failed = -1;
   if (existing == Existing::Refused) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "catalogue/backups.h"
 #include "catalogue/database.h"
@@ -115,6 +116,7 @@ Result<Project> Project::create(const fs::path& folder, const ProjectRecord& rec
   };
   for (const char* name : kFolders) {
     fs::create_directories(folder / name, code);
+    if (code == std::errc::no_space_on_device) return undone(cannotWrite(folder, code.value()));
     if (code)
       return undone({ErrorCode::CannotWrite,
                      "The folder cannot be made; choose a place that you may write to.",

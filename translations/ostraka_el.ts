@@ -3,7 +3,7 @@
 <TS version="2.1" language="el" sourcelanguage="en">
 <context>
     <name>ostraka::ui::ProjectSession</name>
-        <message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος του έργου δεν υπάρχει πια: μετακινήθηκε, μετονομάστηκε ή αφαιρέθηκε ο δίσκος του. Ανοίξτε το έργο εκεί όπου βρίσκεται τώρα.</translation>
@@ -11,7 +11,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportAsk</name>
-        <message>
+    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή</translation>
@@ -29,7 +29,7 @@
 </context>
 <context>
     <name>ComputeBatch</name>
-        <message>
+    <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στον σκληρό δίσκο μένουν μόνο %1 MB· μια παρτίδα χρειάζεται περισσότερα. Τίποτα δεν χάθηκε: κάντε χώρο και συνεχίστε.</translation>
@@ -60,7 +60,7 @@
 </context>
 <context>
     <name>Fields</name>
-        <message>
+    <message>
       <source>number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αριθμός</translation>
@@ -268,7 +268,7 @@
 </context>
 <context>
     <name>Job</name>
-        <message>
+    <message>
       <source>The memory does not suffice; close other programs and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μνήμη δεν φτάνει· κλείστε άλλα προγράμματα και δοκιμάστε ξανά.</translation>
@@ -281,7 +281,7 @@
 </context>
 <context>
     <name>PlaceText</name>
-        <message>
+    <message>
       <source>%1 bag %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 σακούλα %2</translation>
@@ -322,7 +322,7 @@
 </context>
 <context>
     <name>Rig</name>
-        <message>
+    <message>
       <source>its file is missing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>λείπει το αρχείο της</translation>
@@ -348,7 +348,7 @@
 </context>
 <context>
     <name>Stage</name>
-        <message>
+    <message>
       <source>cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κάμερες</translation>
@@ -416,7 +416,7 @@
 </context>
 <context>
     <name>Time</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>%n s left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -440,7 +440,7 @@
 </context>
 <context>
     <name>ostraka::ui</name>
-        <message>
+    <message>
       <source>numbered</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αριθμημένο</translation>
@@ -904,7 +904,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
-        <message>
+    <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
@@ -912,7 +912,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
-        <message>
+    <message>
       <source>Import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή του %1</translation>
@@ -925,7 +925,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1144,7 +1144,7 @@
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
-        <message>
+    <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πλήκτρο: %1</translation>
@@ -1152,7 +1152,7 @@
 </context>
 <context>
     <name>ostraka::ui::BulkEdit</name>
-        <message>
+    <message>
       <source>Field to change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πεδίο που αλλάζει</translation>
@@ -1274,7 +1274,7 @@
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-        <message>
+    <message>
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άλλη πίσω όψη …</translation>
@@ -1314,7 +1314,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
-        <message>
+    <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διάστημα</translation>
@@ -1327,7 +1327,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureStation</name>
-        <message>
+    <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διάστημα</translation>
@@ -1493,7 +1493,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
-        <message>
+    <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άνοιγμα της διάταξης</translation>
@@ -1851,7 +1851,7 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueStation</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2027,7 +2027,7 @@
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>
-        <message>
+    <message>
       <source>Scale of the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλίμακα του σχεδίου</translation>
@@ -2226,7 +2226,7 @@
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
-        <message>
+    <message>
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μέγεθος της εξαγωγής</translation>
@@ -2309,7 +2309,7 @@
 </context>
 <context>
     <name>ostraka::ui::ExportStation</name>
-        <message>
+    <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εξαγωγή έγινε: %1</translation>
@@ -2505,7 +2505,7 @@
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
-        <message>
+    <message>
       <source>Filter of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φίλτρο του καταλόγου</translation>
@@ -2536,7 +2536,7 @@
 </context>
 <context>
     <name>ostraka::ui::FooterLine</name>
-        <message>
+    <message>
       <source>What the computer does</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τι κάνει ο υπολογιστής</translation>
@@ -2559,7 +2559,7 @@
 </context>
 <context>
     <name>ostraka::ui::HeaderLine</name>
-        <message>
+    <message>
       <source>Where</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πού</translation>
@@ -2590,7 +2590,7 @@
 </context>
 <context>
     <name>ostraka::ui::HelpPage</name>
-        <message>
+    <message>
       <source>Manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εγχειρίδιο</translation>
@@ -2643,7 +2643,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportDialog</name>
-        <message>
+    <message>
       <source>new</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>νέο</translation>
@@ -2825,7 +2825,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
-        <message>
+    <message>
       <source>%1 '%2': %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 «%2»: %3</translation>
@@ -2869,7 +2869,7 @@
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
-        <message>
+    <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ποια πίσω όψη ανήκει σε εκείνη του %1; Επιλέξτε την κάρτα της (βέλη και Enter).</translation>
@@ -2882,7 +2882,7 @@
 </context>
 <context>
     <name>ostraka::ui::MainWindow</name>
-        <message>
+    <message>
       <source>Ostraka</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka</translation>
@@ -3015,7 +3015,7 @@
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
-        <message>
+    <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παρτίδα</translation>
@@ -3119,7 +3119,7 @@
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
-        <message>
+    <message>
       <source>Plate, front and back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δίσκος, μπροστά και πίσω</translation>
@@ -3142,7 +3142,7 @@
 </context>
 <context>
     <name>ostraka::ui::MessagePanel</name>
-        <message>
+    <message>
       <source>What happened</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τι συνέβη</translation>
@@ -3160,7 +3160,7 @@
 </context>
 <context>
     <name>ostraka::ui::ModelPane</name>
-        <message>
+    <message>
       <source>Picture of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνα του οστράκου</translation>
@@ -3193,7 +3193,7 @@
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
-        <message>
+    <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός της θέσης έχει δύο έως οκτώ κεφαλαία και ψηφία, όπως ARM1.</translation>
@@ -3221,7 +3221,7 @@
 </context>
 <context>
     <name>ostraka::ui::OutlinePlot</name>
-        <message>
+    <message>
       <source>Outlines laid over each other, and their turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Περιγράμματα το ένα πάνω στο άλλο, και οι γωνίες στροφής τους</translation>
@@ -3254,7 +3254,7 @@
 </context>
 <context>
     <name>ostraka::ui::PairReviewModel</name>
-        <message>
+    <message>
       <source>Small pictures of the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μικρές εικόνες των οστράκων</translation>
@@ -3407,7 +3407,7 @@
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
-        <message>
+    <message>
       <source>Photographs of both sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίες και των δύο όψεων</translation>
@@ -3455,7 +3455,7 @@
 </context>
 <context>
     <name>ostraka::ui::PlaceEdit</name>
-        <message>
+    <message>
       <source>&amp;Bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Σακούλα</translation>
@@ -3488,7 +3488,7 @@
 </context>
 <context>
     <name>ostraka::ui::PlateView</name>
-        <message>
+    <message>
       <source>Picture of the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνα του δίσκου</translation>
@@ -3509,7 +3509,7 @@
 </context>
 <context>
     <name>ostraka::ui::QueueStation</name>
-        <message>
+    <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παύση</translation>
@@ -3655,7 +3655,7 @@
 </context>
 <context>
     <name>ostraka::ui::Rail</name>
-        <message>
+    <message>
       <source>Stations</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σταθμοί</translation>
@@ -3673,7 +3673,7 @@
 </context>
 <context>
     <name>ostraka::ui::ReviewPane</name>
-        <message>
+    <message>
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ζεύγη, τα πιο αμφίβολα πρώτα</translation>
@@ -3846,7 +3846,7 @@
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
-        <message>
+    <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παρτίδα</translation>
@@ -3972,7 +3972,7 @@
 </context>
 <context>
     <name>ostraka::ui::RigPage</name>
-        <message>
+    <message>
       <source>Two of them look alike</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δύο από αυτά μοιάζουν</translation>
@@ -4065,7 +4065,7 @@
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
-        <message>
+    <message>
       <source>Rights to the open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δικαιώματα στο ανοιχτό έργο</translation>
@@ -4098,7 +4098,7 @@
 </context>
 <context>
     <name>ostraka::ui::SettingsPage</name>
-        <message>
+    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτεινό</translation>
@@ -4181,7 +4181,7 @@
 </context>
 <context>
     <name>ostraka::ui::SheetView</name>
-        <message>
+    <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το σχέδιο στο φύλλο του</translation>
@@ -4189,7 +4189,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdDetails</name>
-        <message>
+    <message>
       <source>missing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>λείπει</translation>
@@ -4372,7 +4372,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>number %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -4411,7 +4411,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-        <message>
+    <message>
       <source>Picture of a sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνα ενός οστράκου</translation>
@@ -4454,7 +4454,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
-        <message>
+    <message>
       <source>Sherd in three dimensions</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακο σε τρεις διαστάσεις</translation>
@@ -4467,7 +4467,7 @@
 </context>
 <context>
     <name>ostraka::ui::StartScreen</name>
-        <message>
+    <message>
       <source>Ostraka</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka</translation>
@@ -4614,7 +4614,7 @@
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
-        <message>
+    <message>
       <source>Photographs of this side</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίες αυτής της όψης</translation>
@@ -4627,7 +4627,7 @@
 </context>
 <context>
     <name>ostraka::ui::Thumbnails</name>
-        <message>
+    <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνα</translation>
@@ -4635,7 +4635,7 @@
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
-        <message>
+    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
@@ -4683,7 +4683,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberEdit</name>
-        <message>
+    <message>
       <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, ολόκληρος αριθμός ή σάρωση της ετικέτας</translation>
@@ -4706,7 +4706,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-        <message>
+    <message>
       <source>%1, camera %2, stop %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, κάμερα %2, στάση %3</translation>
@@ -4739,7 +4739,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskPage</name>
-        <message>
+    <message>
       <source>Masks of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μάσκες του %1</translation>
@@ -4820,7 +4820,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskView</name>
-        <message>
+    <message>
       <source>Photograph with its mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφία με τη μάσκα της</translation>
@@ -4833,7 +4833,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingEdit</name>
-        <message>
+    <message>
       <source>A sherd will be</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο θα είναι</translation>
@@ -4904,7 +4904,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
-        <message>
+    <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
@@ -4932,7 +4932,7 @@
 </context>
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
-        <message>
+    <message>
       <source>&amp;Save the words</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθήκευση λέ&amp;ξεων</translation>
@@ -5010,7 +5010,7 @@
 </context>
 <context>
     <name>ostraka::ui::CountEdit</name>
-        <message>
+    <message>
       <source>&amp;Sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό&amp;στρακα</translation>
@@ -5033,7 +5033,7 @@
 </context>
 <context>
     <name>ostraka::ui::RigRenewal</name>
-        <message>
+    <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βαθμονόμηση από το %1</translation>
@@ -5041,7 +5041,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportLine</name>
-        <message>
+    <message>
       <source>How far the import is</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πρόοδος της εισαγωγής</translation>
@@ -5054,7 +5054,7 @@
 </context>
 <context>
     <name>ImportBatch</name>
-        <message>
+    <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχουν σαρώσεις (*.ply) στον φάκελό του %1/. Επιλέξτε φάκελο που περιέχει front/ και back/.</translation>
@@ -5067,7 +5067,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdNumbers</name>
-        <message>
+    <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 δεν είναι αριθμός οστράκου: έχει ένα ψηφίο, κανένα κενό και το πολύ %2 χαρακτήρες.</translation>
@@ -5090,7 +5090,7 @@
 </context>
 <context>
     <name>ostraka::ui::Doubts</name>
-        <message>
+    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) mm</translation>
@@ -5143,7 +5143,7 @@
 </context>
 <context>
     <name>ostraka::Error</name>
-        <message>
+    <message>
       <source>Stopped on request.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακόπηκε κατόπιν αιτήματος.</translation>
@@ -9071,7 +9071,7 @@
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-        <message>
+    <message>
       <source>Check of the files</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έλεγχος των αρχείων</translation>
@@ -9087,7 +9087,7 @@
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
-        <message>
+    <message>
         <source>More</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Περισσότερα</translation>
@@ -9105,7 +9105,7 @@
 </context>
 <context>
     <name>ostraka::ui::ColumnTable</name>
-        <message>
+    <message>
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>δεν λέει τίποτα για το όστρακο</translation>
@@ -9188,7 +9188,7 @@
 </context>
 <context>
     <name>ImportSides</name>
-        <message>
+    <message>
       <source>Drop either folders or photographs, not both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αφήστε είτε φακέλους είτε φωτογραφίες, όχι και τα δύο.</translation>
@@ -9206,7 +9206,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
-        <message>
+    <message>
       <source>Folder with front/ and back/ scans</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φάκελος με σαρώσεις front/ και back/</translation>
@@ -9224,7 +9224,7 @@
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
-        <message>
+    <message>
       <source>One side only</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο μία όψη</translation>
@@ -9300,7 +9300,7 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
-        <message>
+    <message>
         <source>%1: from %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: από %2</translation>

@@ -3,7 +3,7 @@
 <TS version="2.1" language="hy" sourcelanguage="en">
 <context>
     <name>ostraka::ui::ProjectSession</name>
-        <message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծի պանակն այլևս չկա. այն տեղափոխվել է, անվանափոխվել, կամ նրա սկավառակը հանվել է։ Բացեք նախագիծը այնտեղ, որտեղ այն հիմա է։</translation>
@@ -11,7 +11,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportAsk</name>
-        <message>
+    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծել</translation>
@@ -29,7 +29,7 @@
 </context>
 <context>
     <name>ComputeBatch</name>
-        <message>
+    <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոշտ սկավառակի վրա մնացել է միայն %1 ՄԲ. խմբաքանակին ավելին է պետք։ Ոչինչ չի կորել. տեղ ազատեք և շարունակեք։</translation>
@@ -60,7 +60,7 @@
 </context>
 <context>
     <name>Fields</name>
-        <message>
+    <message>
       <source>number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>համար</translation>
@@ -268,7 +268,7 @@
 </context>
 <context>
     <name>Job</name>
-        <message>
+    <message>
       <source>The memory does not suffice; close other programs and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հիշողությունը չի բավականացնում. փակեք այլ ծրագրեր և փորձեք կրկին։</translation>
@@ -281,7 +281,7 @@
 </context>
 <context>
     <name>PlaceText</name>
-        <message>
+    <message>
       <source>%1 bag %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տոպրակ %2</translation>
@@ -322,7 +322,7 @@
 </context>
 <context>
     <name>Rig</name>
-        <message>
+    <message>
       <source>its file is missing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ֆայլը բացակայում է</translation>
@@ -348,7 +348,7 @@
 </context>
 <context>
     <name>Stage</name>
-        <message>
+    <message>
       <source>cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տեսախցիկներ</translation>
@@ -416,7 +416,7 @@
 </context>
 <context>
     <name>Time</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>%n s left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -440,7 +440,7 @@
 </context>
 <context>
     <name>ostraka::ui</name>
-        <message>
+    <message>
       <source>numbered</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>համարակալված</translation>
@@ -904,7 +904,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
-        <message>
+    <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
@@ -912,7 +912,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
-        <message>
+    <message>
       <source>Import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ներմուծում</translation>
@@ -925,7 +925,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1144,7 +1144,7 @@
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
-        <message>
+    <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստեղն՝ %1</translation>
@@ -1152,7 +1152,7 @@
 </context>
 <context>
     <name>ostraka::ui::BulkEdit</name>
-        <message>
+    <message>
       <source>Field to change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոփոխվող դաշտ</translation>
@@ -1274,7 +1274,7 @@
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-        <message>
+    <message>
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այլ հետևի երես …</translation>
@@ -1314,7 +1314,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
-        <message>
+    <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացատ</translation>
@@ -1327,7 +1327,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureStation</name>
-        <message>
+    <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացատ</translation>
@@ -1493,7 +1493,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
-        <message>
+    <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմը բացվում է</translation>
@@ -1851,7 +1851,7 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueStation</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2027,7 +2027,7 @@
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>
-        <message>
+    <message>
       <source>Scale of the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարի մասշտաբը</translation>
@@ -2226,7 +2226,7 @@
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
-        <message>
+    <message>
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման չափը</translation>
@@ -2309,7 +2309,7 @@
 </context>
 <context>
     <name>ostraka::ui::ExportStation</name>
-        <message>
+    <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանված է՝ %1</translation>
@@ -2505,7 +2505,7 @@
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
-        <message>
+    <message>
       <source>Filter of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգի զտիչ</translation>
@@ -2536,7 +2536,7 @@
 </context>
 <context>
     <name>ostraka::ui::FooterLine</name>
-        <message>
+    <message>
       <source>What the computer does</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ինչ է անում համակարգիչը</translation>
@@ -2559,7 +2559,7 @@
 </context>
 <context>
     <name>ostraka::ui::HeaderLine</name>
-        <message>
+    <message>
       <source>Where</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որտեղ</translation>
@@ -2590,7 +2590,7 @@
 </context>
 <context>
     <name>ostraka::ui::HelpPage</name>
-        <message>
+    <message>
       <source>Manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձեռնարկ</translation>
@@ -2643,7 +2643,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportDialog</name>
-        <message>
+    <message>
       <source>new</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նոր</translation>
@@ -2825,7 +2825,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
-        <message>
+    <message>
       <source>%1 '%2': %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 «%2»՝ %3</translation>
@@ -2869,7 +2869,7 @@
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
-        <message>
+    <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ո՞ր հետևի երեսն է %1-ի հետևի երեսինը։ Ընտրեք նրա քարտը (սլաքներ և Enter)։</translation>
@@ -2882,7 +2882,7 @@
 </context>
 <context>
     <name>ostraka::ui::MainWindow</name>
-        <message>
+    <message>
       <source>Ostraka</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka</translation>
@@ -3015,7 +3015,7 @@
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
-        <message>
+    <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակ</translation>
@@ -3119,7 +3119,7 @@
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
-        <message>
+    <message>
       <source>Plate, front and back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը՝ առջևից և հետևից</translation>
@@ -3142,7 +3142,7 @@
 </context>
 <context>
     <name>ostraka::ui::MessagePanel</name>
-        <message>
+    <message>
       <source>What happened</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ինչ պատահեց</translation>
@@ -3160,7 +3160,7 @@
 </context>
 <context>
     <name>ostraka::ui::ModelPane</name>
-        <message>
+    <message>
       <source>Picture of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորի պատկերը</translation>
@@ -3193,7 +3193,7 @@
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
-        <message>
+    <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձանի ծածկագիրը երկուսից ութ մեծատառ և թվանշան ունի, ինչպես ARM1։</translation>
@@ -3221,7 +3221,7 @@
 </context>
 <context>
     <name>ostraka::ui::OutlinePlot</name>
-        <message>
+    <message>
       <source>Outlines laid over each other, and their turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Իրար վրա դրված ուրվագծեր և նրանց շրջադարձի անկյունները</translation>
@@ -3254,7 +3254,7 @@
 </context>
 <context>
     <name>ostraka::ui::PairReviewModel</name>
-        <message>
+    <message>
       <source>Small pictures of the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորների փոքր պատկերներ</translation>
@@ -3407,7 +3407,7 @@
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
-        <message>
+    <message>
       <source>Photographs of both sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկու երեսների լուսանկարները</translation>
@@ -3455,7 +3455,7 @@
 </context>
 <context>
     <name>ostraka::ui::PlaceEdit</name>
-        <message>
+    <message>
       <source>&amp;Bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Տոպրակ</translation>
@@ -3488,7 +3488,7 @@
 </context>
 <context>
     <name>ostraka::ui::PlateView</name>
-        <message>
+    <message>
       <source>Picture of the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի պատկերը</translation>
@@ -3509,7 +3509,7 @@
 </context>
 <context>
     <name>ostraka::ui::QueueStation</name>
-        <message>
+    <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դադար</translation>
@@ -3655,7 +3655,7 @@
 </context>
 <context>
     <name>ostraka::ui::Rail</name>
-        <message>
+    <message>
       <source>Stations</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կայաններ</translation>
@@ -3673,7 +3673,7 @@
 </context>
 <context>
     <name>ostraka::ui::ReviewPane</name>
-        <message>
+    <message>
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգեր, նախ ամենակասկածելիները</translation>
@@ -3846,7 +3846,7 @@
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
-        <message>
+    <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակ</translation>
@@ -3972,7 +3972,7 @@
 </context>
 <context>
     <name>ostraka::ui::RigPage</name>
-        <message>
+    <message>
       <source>Two of them look alike</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրանցից երկուսը նման են</translation>
@@ -4065,7 +4065,7 @@
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
-        <message>
+    <message>
       <source>Rights to the open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաց նախագծի իրավունքները</translation>
@@ -4098,7 +4098,7 @@
 </context>
 <context>
     <name>ostraka::ui::SettingsPage</name>
-        <message>
+    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաց</translation>
@@ -4181,7 +4181,7 @@
 </context>
 <context>
     <name>ostraka::ui::SheetView</name>
-        <message>
+    <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարն իր թերթին</translation>
@@ -4189,7 +4189,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdDetails</name>
-        <message>
+    <message>
       <source>missing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բացակայում է</translation>
@@ -4372,7 +4372,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>number %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -4411,7 +4411,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-        <message>
+    <message>
       <source>Picture of a sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորի պատկեր</translation>
@@ -4454,7 +4454,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
-        <message>
+    <message>
       <source>Sherd in three dimensions</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորը եռաչափ</translation>
@@ -4467,7 +4467,7 @@
 </context>
 <context>
     <name>ostraka::ui::StartScreen</name>
-        <message>
+    <message>
       <source>Ostraka</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka</translation>
@@ -4614,7 +4614,7 @@
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
-        <message>
+    <message>
       <source>Photographs of this side</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս երեսի լուսանկարները</translation>
@@ -4627,7 +4627,7 @@
 </context>
 <context>
     <name>ostraka::ui::Thumbnails</name>
-        <message>
+    <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկեր</translation>
@@ -4635,7 +4635,7 @@
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
-        <message>
+    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
@@ -4683,7 +4683,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberEdit</name>
-        <message>
+    <message>
       <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, ամբողջ համարը կամ կարդալ պիտակը</translation>
@@ -4706,7 +4706,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-        <message>
+    <message>
       <source>%1, camera %2, stop %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, տեսախցիկ %2, կանգառ %3</translation>
@@ -4739,7 +4739,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskPage</name>
-        <message>
+    <message>
       <source>Masks of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի դիմակները</translation>
@@ -4820,7 +4820,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskView</name>
-        <message>
+    <message>
       <source>Photograph with its mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարն իր դիմակով</translation>
@@ -4833,7 +4833,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingEdit</name>
-        <message>
+    <message>
       <source>A sherd will be</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորը կլինի</translation>
@@ -4904,7 +4904,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
-        <message>
+    <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
@@ -4932,7 +4932,7 @@
 </context>
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
-        <message>
+    <message>
       <source>&amp;Save the words</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահպանել բառ&amp;երը</translation>
@@ -5010,7 +5010,7 @@
 </context>
 <context>
     <name>ostraka::ui::CountEdit</name>
-        <message>
+    <message>
       <source>&amp;Sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Բեկորներ</translation>
@@ -5033,7 +5033,7 @@
 </context>
 <context>
     <name>ostraka::ui::RigRenewal</name>
-        <message>
+    <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափում ըստ %1-ի</translation>
@@ -5041,7 +5041,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportLine</name>
-        <message>
+    <message>
       <source>How far the import is</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծման ընթացքը</translation>
@@ -5054,7 +5054,7 @@
 </context>
 <context>
     <name>ImportBatch</name>
-        <message>
+    <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նրա %1/ պանակում սկաններ (*.ply) չկան։ Ընտրեք պանակ, որում կան front/ և back/։</translation>
@@ -5067,7 +5067,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdNumbers</name>
-        <message>
+    <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը բեկորի համար չէ. այն ունի թվանշան, չունի բացատ և առավելագույնը %2 նիշ է։</translation>
@@ -5090,7 +5090,7 @@
 </context>
 <context>
     <name>ostraka::ui::Doubts</name>
-        <message>
+    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) մմ</translation>
@@ -5143,7 +5143,7 @@
 </context>
 <context>
     <name>ostraka::Error</name>
-        <message>
+    <message>
       <source>Stopped on request.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցվել է ըստ ցանկության։</translation>
@@ -9071,7 +9071,7 @@
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-        <message>
+    <message>
       <source>Check of the files</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլերի ստուգում</translation>
@@ -9087,7 +9087,7 @@
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
-        <message>
+    <message>
         <source>More</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ավելին</translation>
@@ -9105,7 +9105,7 @@
 </context>
 <context>
     <name>ostraka::ui::ColumnTable</name>
-        <message>
+    <message>
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>խեցաբեկորի մասին ոչինչ չի ասում</translation>
@@ -9188,7 +9188,7 @@
 </context>
 <context>
     <name>ImportSides</name>
-        <message>
+    <message>
       <source>Drop either folders or photographs, not both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գցեք կա՛մ պանակներ, կա՛մ լուսանկարներ, ոչ երկուսը միասին։</translation>
@@ -9206,7 +9206,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
-        <message>
+    <message>
       <source>Folder with front/ and back/ scans</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>front/ և back/ սկաններով պանակ</translation>
@@ -9224,7 +9224,7 @@
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
-        <message>
+    <message>
       <source>One side only</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միայն մեկ երես</translation>
@@ -9300,7 +9300,7 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
-        <message>
+    <message>
         <source>%1: from %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1. %2-ից</translation>

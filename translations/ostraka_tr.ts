@@ -3,7 +3,7 @@
 <TS version="2.1" language="tr" sourcelanguage="en">
 <context>
     <name>ostraka::ui::ProjectSession</name>
-        <message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projenin klasörü artık yerinde değil: taşındı, adı değişti ya da diski çıkarıldı. Projeyi şimdi bulunduğu yerde açın.</translation>
@@ -11,7 +11,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportAsk</name>
-        <message>
+    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İçe aktar</translation>
@@ -29,7 +29,7 @@
 </context>
 <context>
     <name>ComputeBatch</name>
-        <message>
+    <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diskte yalnızca %1 MB kaldı; bir parti daha fazlasını ister. Hiçbir şey kaybolmadı: yer açın, sonra sürdürün.</translation>
@@ -59,7 +59,7 @@
 </context>
 <context>
     <name>Fields</name>
-        <message>
+    <message>
       <source>number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>numara</translation>
@@ -267,7 +267,7 @@
 </context>
 <context>
     <name>Job</name>
-        <message>
+    <message>
       <source>The memory does not suffice; close other programs and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bellek yetmiyor; başka programları kapatıp yeniden deneyin.</translation>
@@ -280,7 +280,7 @@
 </context>
 <context>
     <name>PlaceText</name>
-        <message>
+    <message>
       <source>%1 bag %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 torba %2</translation>
@@ -320,7 +320,7 @@
 </context>
 <context>
     <name>Rig</name>
-        <message>
+    <message>
       <source>its file is missing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>dosyası yok</translation>
@@ -345,7 +345,7 @@
 </context>
 <context>
     <name>Stage</name>
-        <message>
+    <message>
       <source>cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kameralar</translation>
@@ -413,7 +413,7 @@
 </context>
 <context>
     <name>Time</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>%n s left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -435,7 +435,7 @@
 </context>
 <context>
     <name>ostraka::ui</name>
-        <message>
+    <message>
       <source>numbered</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>numaralı</translation>
@@ -897,7 +897,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
-        <message>
+    <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
@@ -905,7 +905,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
-        <message>
+    <message>
       <source>Import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alınıyor</translation>
@@ -918,7 +918,7 @@
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1130,7 +1130,7 @@
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
-        <message>
+    <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tuş: %1</translation>
@@ -1138,7 +1138,7 @@
 </context>
 <context>
     <name>ostraka::ui::BulkEdit</name>
-        <message>
+    <message>
       <source>Field to change</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değişecek alan</translation>
@@ -1257,7 +1257,7 @@
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-        <message>
+    <message>
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka arka yüz …</translation>
@@ -1297,7 +1297,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
-        <message>
+    <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boşluk</translation>
@@ -1310,7 +1310,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureStation</name>
-        <message>
+    <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boşluk</translation>
@@ -1475,7 +1475,7 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
-        <message>
+    <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenek açılıyor</translation>
@@ -1828,7 +1828,7 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueStation</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2003,7 +2003,7 @@
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>
-        <message>
+    <message>
       <source>Scale of the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizimin ölçeği</translation>
@@ -2200,7 +2200,7 @@
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
-        <message>
+    <message>
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmanın boyutu</translation>
@@ -2278,7 +2278,7 @@
 </context>
 <context>
     <name>ostraka::ui::ExportStation</name>
-        <message>
+    <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarıldı: %1</translation>
@@ -2473,7 +2473,7 @@
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
-        <message>
+    <message>
       <source>Filter of the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog süzgeci</translation>
@@ -2503,7 +2503,7 @@
 </context>
 <context>
     <name>ostraka::ui::FooterLine</name>
-        <message>
+    <message>
       <source>What the computer does</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilgisayarın yaptığı iş</translation>
@@ -2526,7 +2526,7 @@
 </context>
 <context>
     <name>ostraka::ui::HeaderLine</name>
-        <message>
+    <message>
       <source>Where</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nerede</translation>
@@ -2556,7 +2556,7 @@
 </context>
 <context>
     <name>ostraka::ui::HelpPage</name>
-        <message>
+    <message>
       <source>Manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El kitabı</translation>
@@ -2609,7 +2609,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportDialog</name>
-        <message>
+    <message>
       <source>new</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yeni</translation>
@@ -2788,7 +2788,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
-        <message>
+    <message>
       <source>%1 '%2': %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ‘%2’: %3</translation>
@@ -2830,7 +2830,7 @@
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
-        <message>
+    <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 arka yüzüne hangi arka yüz ait? Kartını seçin (oklar ve Enter).</translation>
@@ -2843,7 +2843,7 @@
 </context>
 <context>
     <name>ostraka::ui::MainWindow</name>
-        <message>
+    <message>
       <source>Ostraka</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka</translation>
@@ -2976,7 +2976,7 @@
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
-        <message>
+    <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti</translation>
@@ -3078,7 +3078,7 @@
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
-        <message>
+    <message>
       <source>Plate, front and back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabla, ön ve arka</translation>
@@ -3101,7 +3101,7 @@
 </context>
 <context>
     <name>ostraka::ui::MessagePanel</name>
-        <message>
+    <message>
       <source>What happened</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ne oldu</translation>
@@ -3119,7 +3119,7 @@
 </context>
 <context>
     <name>ostraka::ui::ModelPane</name>
-        <message>
+    <message>
       <source>Picture of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçanın resmi</translation>
@@ -3152,7 +3152,7 @@
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
-        <message>
+    <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alan kodu ARM1 gibi iki ile sekiz büyük harf ve rakamdan oluşur.</translation>
@@ -3180,7 +3180,7 @@
 </context>
 <context>
     <name>ostraka::ui::OutlinePlot</name>
-        <message>
+    <message>
       <source>Outlines laid over each other, and their turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Üst üste konmuş dış çizgiler ve dönüş açıları</translation>
@@ -3213,7 +3213,7 @@
 </context>
 <context>
     <name>ostraka::ui::PairReviewModel</name>
-        <message>
+    <message>
       <source>Small pictures of the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaların küçük resimleri</translation>
@@ -3366,7 +3366,7 @@
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
-        <message>
+    <message>
       <source>Photographs of both sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki yüzün fotoğrafları</translation>
@@ -3414,7 +3414,7 @@
 </context>
 <context>
     <name>ostraka::ui::PlaceEdit</name>
-        <message>
+    <message>
       <source>&amp;Bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Torba</translation>
@@ -3447,7 +3447,7 @@
 </context>
 <context>
     <name>ostraka::ui::PlateView</name>
-        <message>
+    <message>
       <source>Picture of the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın görüntüsü</translation>
@@ -3467,7 +3467,7 @@
 </context>
 <context>
     <name>ostraka::ui::QueueStation</name>
-        <message>
+    <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Duraklat</translation>
@@ -3612,7 +3612,7 @@
 </context>
 <context>
     <name>ostraka::ui::Rail</name>
-        <message>
+    <message>
       <source>Stations</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İstasyonlar</translation>
@@ -3630,7 +3630,7 @@
 </context>
 <context>
     <name>ostraka::ui::ReviewPane</name>
-        <message>
+    <message>
       <source>Pairs, most doubtful first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eşler, en kuşkulular önce</translation>
@@ -3803,7 +3803,7 @@
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
-        <message>
+    <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti</translation>
@@ -3928,7 +3928,7 @@
 </context>
 <context>
     <name>ostraka::ui::RigPage</name>
-        <message>
+    <message>
       <source>Two of them look alike</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İkisi birbirine benzer</translation>
@@ -4021,7 +4021,7 @@
 </context>
 <context>
     <name>ostraka::ui::RightsEdit</name>
-        <message>
+    <message>
       <source>Rights to the open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açık projenin hakları</translation>
@@ -4054,7 +4054,7 @@
 </context>
 <context>
     <name>ostraka::ui::SettingsPage</name>
-        <message>
+    <message>
       <source>Light</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açık</translation>
@@ -4137,7 +4137,7 @@
 </context>
 <context>
     <name>ostraka::ui::SheetView</name>
-        <message>
+    <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yaprağındaki çizim</translation>
@@ -4145,7 +4145,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdDetails</name>
-        <message>
+    <message>
       <source>missing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>eksik</translation>
@@ -4328,7 +4328,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-        <message numerus="yes">
+    <message numerus="yes">
       <source>number %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -4365,7 +4365,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-        <message>
+    <message>
       <source>Picture of a sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parçanın resmi</translation>
@@ -4408,7 +4408,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdView</name>
-        <message>
+    <message>
       <source>Sherd in three dimensions</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Üç boyutlu parça</translation>
@@ -4421,7 +4421,7 @@
 </context>
 <context>
     <name>ostraka::ui::StartScreen</name>
-        <message>
+    <message>
       <source>Ostraka</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka</translation>
@@ -4568,7 +4568,7 @@
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
-        <message>
+    <message>
       <source>Photographs of this side</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yüzün fotoğrafları</translation>
@@ -4581,7 +4581,7 @@
 </context>
 <context>
     <name>ostraka::ui::Thumbnails</name>
-        <message>
+    <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim</translation>
@@ -4589,7 +4589,7 @@
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
-        <message>
+    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
@@ -4637,7 +4637,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberEdit</name>
-        <message>
+    <message>
       <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, tam numara veya etiketini okut</translation>
@@ -4660,7 +4660,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-        <message>
+    <message>
       <source>%1, camera %2, stop %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, kamera %2, durak %3</translation>
@@ -4693,7 +4693,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskPage</name>
-        <message>
+    <message>
       <source>Masks of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 maskeleri</translation>
@@ -4773,7 +4773,7 @@
 </context>
 <context>
     <name>ostraka::ui::MaskView</name>
-        <message>
+    <message>
       <source>Photograph with its mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maskesiyle fotoğraf</translation>
@@ -4786,7 +4786,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingEdit</name>
-        <message>
+    <message>
       <source>A sherd will be</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça şöyle olur:</translation>
@@ -4856,7 +4856,7 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
-        <message>
+    <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
@@ -4884,7 +4884,7 @@
 </context>
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
-        <message>
+    <message>
       <source>&amp;Save the words</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sözcükleri &amp;kaydet</translation>
@@ -4962,7 +4962,7 @@
 </context>
 <context>
     <name>ostraka::ui::CountEdit</name>
-        <message>
+    <message>
       <source>&amp;Sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Parça</translation>
@@ -4985,7 +4985,7 @@
 </context>
 <context>
     <name>ostraka::ui::RigRenewal</name>
-        <message>
+    <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ile ayarlama</translation>
@@ -4993,7 +4993,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportLine</name>
-        <message>
+    <message>
       <source>How far the import is</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Almanın ilerlemesi</translation>
@@ -5006,7 +5006,7 @@
 </context>
 <context>
     <name>ImportBatch</name>
-        <message>
+    <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1/ klasöründe tarama (*.ply) yok. front/ ve back/ içeren bir klasör seçin.</translation>
@@ -5019,7 +5019,7 @@
 </context>
 <context>
     <name>ostraka::ui::SherdNumbers</name>
-        <message>
+    <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bir parça numarası değil: numarada bir rakam bulunur, boşluk bulunmaz ve en çok %2 karakterdir.</translation>
@@ -5042,7 +5042,7 @@
 </context>
 <context>
     <name>ostraka::ui::Doubts</name>
-        <message>
+    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) mm</translation>
@@ -5095,7 +5095,7 @@
 </context>
 <context>
     <name>ostraka::Error</name>
-        <message>
+    <message>
       <source>Stopped on request.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İstek üzerine durduruldu.</translation>
@@ -9023,7 +9023,7 @@
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-        <message>
+    <message>
       <source>Check of the files</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosyaların denetimi</translation>
@@ -9038,7 +9038,7 @@
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
-        <message>
+    <message>
         <source>More</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Diğer</translation>
@@ -9056,7 +9056,7 @@
 </context>
 <context>
     <name>ostraka::ui::ColumnTable</name>
-        <message>
+    <message>
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>parça hakkında bir şey söylemiyor</translation>
@@ -9139,7 +9139,7 @@
 </context>
 <context>
     <name>ImportSides</name>
-        <message>
+    <message>
       <source>Drop either folders or photographs, not both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya klasör ya da fotoğraf bırakın, ikisini birden değil.</translation>
@@ -9157,7 +9157,7 @@
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
-        <message>
+    <message>
       <source>Folder with front/ and back/ scans</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>front/ ve back/ taramaları olan klasör</translation>
@@ -9175,7 +9175,7 @@
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
-        <message>
+    <message>
       <source>One side only</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız bir yüz</translation>
@@ -9250,7 +9250,7 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
-        <message>
+    <message>
         <source>%1: from %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: %2 içinden</translation>

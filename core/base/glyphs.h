@@ -1,18 +1,24 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ostraka {
 
-/// A text as filled outlines, for paper whose own fonts do not have its letters.
-struct GlyphPath {
-  std::string operators;  ///< PDF path operators (m, l, c, h), y up, the letters' size 1
-  double width = 0;       ///< of the whole text at that size
+/// A letter's outline. Thousandths of the letters' size, y up.
+struct Glyph {
+  std::string letter;       ///< UTF-8
+  std::string font;         ///< which file it is from
+  std::string operators;    ///< PDF path operators (m, l, c, h); none for a blank
+  double advance = 0;       ///< to where the next letter begins
+  Eigen::AlignedBox2d box;  ///< of the outline; empty for a blank
 };
 
-/// From the first of the computer's fonts that has all these letters (Greek, Armenian, Cyrillic,
-/// Turkish and the like; letters stand side by side, so no script that joins or turns them).
-/// Nothing where no font has them all, or there is no font.
-std::optional<GlyphPath> glyphPath(const std::string& utf8, bool bold);
+/// The letters of a text from this computer's fonts: from one font where one has them all (Latin,
+/// Greek, Armenian, Cyrillic and the like; letters stand side by side, so no script that joins or
+/// turns them). A letter that no font has becomes a question mark. Nothing where there is no font.
+/// Any thread may call it.
+std::optional<std::vector<Glyph>> glyphsOf(const std::string& utf8, bool bold);
 
 }  // namespace ostraka

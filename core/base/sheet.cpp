@@ -152,18 +152,12 @@ std::string winAnsi(const std::string& utf8) {
   return out;
 }
 
-bool isWinAnsi(const std::string& utf8) {
-  const auto asked = [](const std::string& text) {
-    return std::count(text.begin(), text.end(), '?');
-  };
-  return asked(winAnsi(utf8)) == asked(utf8);
-}
-
 double textWidth(const Text& text) {
-  if (!isWinAnsi(text.text))
-    if (const auto drawn = glyphPath(text.text, text.weight == Weight::Bold))
-      return drawn->width * text.size_mm;
-  int sum = 0;
+  double sum = 0;
+  if (const auto glyphs = glyphsOf(text.text, text.weight == Weight::Bold)) {
+    for (const Glyph& glyph : *glyphs) sum += glyph.advance;
+    return sum * text.size_mm / 1000;
+  }
   for (const char c : winAnsi(text.text)) sum += widthOf(static_cast<unsigned char>(c));
   // Bold letters are wider by about a twentieth.
   return sum * text.size_mm / 1000 * (text.weight == Weight::Bold ? 1.05 : 1);

@@ -29,7 +29,7 @@ enum class Weight { Plain, Bold };
 struct Text {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   double size_mm = 3;  ///< of the font
-  std::string text;    ///< UTF-8; PDF's built-in fonts know Latin-1 only, others become '?'
+  std::string text;    ///< UTF-8; letters that no font of the computer has become '?'
   Anchor anchor = Anchor::Left;
   Weight weight = Weight::Plain;
 };
@@ -77,8 +77,8 @@ Eigen::Vector2d paperSize(Paper paper);
 /// Width of a text in mm, as the PDF's font has it.
 double textWidth(const Text& text);
 
-/// PDF 1.4 with vector paths and built-in fonts; asks printers not to scale. The same input gives
-/// the same bytes.
+/// PDF 1.4 with vector paths; asks printers not to scale. The letters are embedded, and can be
+/// searched and copied. The same input and fonts give the same bytes.
 std::string formatPdf(const std::vector<Page>& pages, const std::string& title);
 /// One page, with its size in mm.
 std::string formatSvg(const Page& page, const std::string& title);

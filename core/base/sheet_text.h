@@ -5,7 +5,5 @@ namespace ostraka {
 
 /// A text in the encoding of PDF's built-in fonts; what they do not know becomes '?'.
 std::string winAnsi(const std::string& utf8);
-/// Whether they know all its letters.
-bool isWinAnsi(const std::string& utf8);
 
 }  // namespace ostraka

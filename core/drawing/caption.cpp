@@ -7,8 +7,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeastWidth_mm = 70;  // of a line, however small the sherd is
-constexpr double kHeading_mm = 4, kMeasures_mm = 3, kRemarks_mm = 2.6;  // of their letters
+constexpr double kLeastWidth_mm = 70;                // of a line, however small the sherd is
+constexpr double kHeading_mm = 4, kMeasures_mm = 3;  // of their letters
 
 std::string share(const Estimate& kept, const Wording& w) {
   const auto percent = [&](double value) { return w.number(value, 0); };
@@ -70,10 +70,9 @@ void addCaption(SherdDrawing& drawing, const Wording& wording) {
   const auto addBroken = [&](const std::string& text, double size_mm) {
     for (const std::string& line : broken(text, size_mm, width)) add(line, size_mm, Weight::Plain);
   };
-  add(drawing.id, kHeading_mm, Weight::Bold);
+  add(wording.said(drawing.id), kHeading_mm, Weight::Bold);
   if (drawing.mouth) addBroken(mouthLine(*drawing.mouth, wording), kMeasures_mm);
   addBroken(measuresLine(drawing.measures, wording), kMeasures_mm);
-  for (const std::string& remark : drawing.remarks) addBroken(wording.said(remark), kRemarks_mm);
 }
 
 }  // namespace ostraka::drawing

@@ -3,7 +3,7 @@
 
 namespace ostraka::drawing {
 
-/// Number, mouth, measures and remarks below what is drawn; the box grows by them. Long lines are
+/// Number, mouth and measures below what is drawn; the box grows by them. Long lines are
 /// broken at the drawing's width, so that they need no more room on a plate.
 void addCaption(SherdDrawing& drawing, const Wording& wording);
 

@@ -35,7 +35,7 @@ struct DrawingOptions {
   RimChoice rim = RimChoice::Propose;
   Surface surface = Surface::Relief;
   HandMeasures by_hand;  ///< printed instead of what the model says; a mouth is drawn as wide
-  std::vector<std::string> remarks;  ///< to stand below the measures, before the drawing's own
+  std::vector<std::string> remarks;  ///< to be said before the drawing's own
   Wording wording;
   Result<void> check() const;
 };
@@ -48,7 +48,8 @@ struct Mouth {
 };
 
 /// One sherd as drawn: section at the left, outer view, inner view; of a rim sherd with the
-/// vessel's axis and the mouth's diameter where that is known. Paper mm, y down.
+/// vessel's axis and the mouth's diameter where that is known. Paper mm, y down. Remarks and hints
+/// are for the person who draws it: a publication's sheet has none.
 struct SherdDrawing {
   std::string id;
   Sheet sheet;
@@ -57,8 +58,8 @@ struct SherdDrawing {
   bool drawn_as_rim = false;
   std::optional<Mouth> mouth;        ///< where its diameter is known
   model::Measures measures;          ///< as printed; 0: not
-  std::vector<std::string> remarks;  ///< on the sheet, too, in its language; English sentences
-  std::vector<std::string> hints;    ///< what could be drawn otherwise; not on the sheet
+  std::vector<std::string> remarks;  ///< what to check before it is printed; English sentences
+  std::vector<std::string> hints;    ///< what could be drawn otherwise
 };
 
 /// mesh: closed, outward, mm. Errors: UnusableInput (options, a mesh without faces; RimChoice::Yes

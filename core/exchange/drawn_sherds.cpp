@@ -19,11 +19,11 @@ drawing::RimChoice rimChoiceOf(const SherdRecord& sherd) {
 
 namespace {
 
-// A draft is known by its place in its batch, as on the plate's map.
+// Before it has a number it is known by its place in its batch, as on the plate's map.
 std::string nameOf(const SherdRecord& sherd) {
   if (!sherd.number.empty()) return sherd.number;
   if (sherd.batch_number.empty() || sherd.piece == 0) return "draft " + sherd.id;
-  return sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") + std::to_string(sherd.piece);
+  return "sherd " + std::to_string(sherd.piece) + " of " + sherd.batch_number;
 }
 
 Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, catalogue::SherdRow sherd,

@@ -13,6 +13,7 @@
 #include "cloud/ply.h"
 #include "exchange/bagit.h"
 #include "exchange/drawn_sherds.h"
+#include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
 #include "exchange/metadata.h"
 #include "exchange/model_files.h"
@@ -26,152 +27,12 @@ namespace {
 namespace fs = std::filesystem;
 using namespace catalogue;
 
-constexpr double kScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.0};  // those in use
-constexpr int kDrawingAsCopies = 20;             // for the progress: a drawing takes its time
-constexpr int kViewAsCopies = 5;                 // likewise a photograph without its lens
-constexpr std::int64_t kViewTimesJpeg = 5;       // PNG with masks, of a JPEG
-constexpr std::int64_t kLighterPart = 40;        // of a sherd of 60 mm, by 0.1 mm
-constexpr std::int64_t kDrawingBytes = 300'000;  // SVG and PDF of a sherd of 60 mm together
-
-std::string slugOf(const SherdRecord& sherd) {
-  return slug(sherd.number.empty() ? "draft-" + sherd.id : sherd.number);
-}
-
-// One file to be copied, and what for.
-struct Wanted {
-  SherdRow sherd;  ///< none: of a batch
-  std::string role, to;
-  fs::path from;
-  std::string sha256;  ///< as entered; empty when not known
-  Form form = Form::Ply;
-};
-
-// Everything that will be copied, in a fixed order.
-class Plan {
- public:
-  Plan(const Catalogue& catalogue, const fs::path& project, const ExportOptions& options)
-      : catalogue_(catalogue), project_(project), options_(options) {}
-
-  Result<void> add(const SherdRecord& sherd) {
-    const std::string name = slugOf(sherd);
-    const Result<std::vector<FileRecord>> files = catalogue_.files(sherd.row);
-    if (!files) return files.error();
-    std::string glb;
-    for (const FileRecord& file : *files) {
-      hashes_[file.path] = file.sha256;
-      if (file.role == "model" && file.path.ends_with(".glb")) glb = file.path;
-    }
-    if (sherd.model_path.empty()) ++without_model;
-    want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
-    want(Form::Glb, sherd, "model", "models/" + name + ".glb",
-         options_.deviation_mm > 0 || glb.empty() ? sherd.model_path : glb);
-    want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
-    want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
-    if (options_.forms.contains(Form::Drawings)) addDrawing(sherd, name);
-    if (sherd.batch && batches_.emplace(sherd.batch, sherd.batch_number).second)
-      return photographs(sherd.batch, sherd.batch_number);
-    return {};
-  }
-  /// Those whose pictures, masks and poses are wanted.
-  std::map<BatchRow, std::string> viewed() const {
-    return options_.forms.contains(Form::Views) ? batches_ : std::map<BatchRow, std::string>();
-  }
-  const std::vector<fs::path>& viewedPhotographs() const { return viewed_photographs_; }
-  const std::vector<Wanted>& files() const { return files_; }
-  const fs::path& project() const { return project_; }
-  /// To be drawn; the records outlive the plan.
-  const std::vector<const SherdRecord*>& drawn() const { return drawn_; }
-  /// Not drawn, and why.
-  const std::vector<std::string>& notDrawn() const { return not_drawn_; }
-  int without_model = 0;
-
- private:
-  void want(Form form, const SherdRecord& sherd, const char* role, const std::string& to,
-            const std::string& from) {
-    if (from.empty() || !options_.forms.contains(form)) return;
-    files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form});
-  }
-
-  // Drawings are for print; tables and records keep void sherds, with their state.
-  void addDrawing(const SherdRecord& sherd, const std::string& name) {
-    const auto made = options_.drawings.find(sherd.row);
-    if (made == options_.drawings.end() && sherd.model_path.empty()) return;
-    if (sherd.state == SherdState::Void) {
-      not_drawn_.push_back(leftOutAsVoid(sherd));
-    } else if (made != options_.drawings.end()) {
-      for (const fs::path& file : made->second)
-        files_.push_back({sherd.row,
-                          "drawing",
-                          "drawings/" + name + slug(file.extension().string()).replace(0, 1, "."),
-                          file,
-                          {},
-                          Form::Drawings});
-    } else {
-      drawn_.push_back(&sherd);
-    }
-  }
-
-  Result<void> photographs(BatchRow batch, const std::string& number) {
-    if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views))
-      return {};
-    const Result<std::vector<FileRecord>> files = catalogue_.files(batch);
-    if (!files) return files.error();
-    const std::string folder = "batches/" + number + "/";
-    for (const FileRecord& file : *files) {
-      if (file.role != "photo") continue;
-      if (options_.forms.contains(Form::Views)) viewed_photographs_.push_back(project_ / file.path);
-      if (!options_.forms.contains(Form::Photographs)) continue;
-      const std::string inside = file.path.starts_with(folder)
-                                     ? file.path.substr(folder.size())
-                                     : fs::path(file.path).filename().string();
-      files_.push_back({{},
-                        "photo",
-                        "photographs/" + number + "/" + inside,
-                        project_ / file.path,
-                        file.sha256,
-                        Form::Photographs});
-    }
-    return {};
-  }
-
-  const Catalogue& catalogue_;
-  const fs::path& project_;
-  const ExportOptions& options_;
-  std::vector<Wanted> files_;
-  std::vector<const SherdRecord*> drawn_;
-  std::vector<std::string> not_drawn_;
-  std::vector<fs::path> viewed_photographs_;
-  std::map<BatchRow, std::string> batches_;
-  std::map<std::string, std::string> hashes_;
-};
-
-Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<const SherdRow> rows,
-                                         Plan& plan, const std::stop_token& stop) {
-  Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
-  if (!sherds) return sherds;
-  for (const SherdRecord& sherd : *sherds) {
-    if (stop.stop_requested()) return Error::cancelled();
-    if (const Result<void> added = plan.add(sherd); !added) return added.error();
-  }
-  return sherds;
-}
+constexpr int kDrawingAsCopies = 20;  // for the progress: a drawing takes its time
+constexpr int kViewAsCopies = 5;      // likewise a photograph without its lens
 
 // Rounded up: what is said holds.
 double saidOf(double off_mm) {
   return std::ceil(1000 * off_mm) / 1000;
-}
-
-bool isModel(Form form) {
-  return form == Form::Ply || form == Form::Glb || form == Form::Obj;
-}
-
-// bytes are a GLB for that form, otherwise a PLY.
-Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
-                             const std::string& where) {
-  return form == Form::Ply   ? labelledPly(bytes, label, where)
-         : form == Form::Glb ? labelledGlb(bytes, label, where)
-         : form == Form::Obj ? labelledObj(bytes, label, where)
-                             : bytes;
 }
 
 class Exporting {
@@ -184,7 +45,7 @@ class Exporting {
         progress_(progress),
         stop_(std::move(stop)) {}
 
-  Result<Exported> run(const std::vector<SherdRecord>& sherds, const Plan& plan,
+  Result<Exported> run(const std::vector<SherdRecord>& sherds, const ExportPlan& plan,
                        std::span<const SherdRow> rows) {
     const Result<ProjectRecord> project = catalogue_.project();
     if (!project) return project.error();
@@ -196,8 +57,10 @@ class Exporting {
     if (Result<void> seen = views(plan); !seen) return seen.error();
     if (Result<void> centred = centres(sherds, plan.project()); !centred) return centred.error();
     if (Result<void> written = records(sherds, rows); !written) return written.error();
-    const Result<void> beside = writeMetadata(catalogue_, sherds, *project, options_.program, bag_);
+    const auto beside = metadataOf(catalogue_, sherds, *project, options_.program, bag_.files());
     if (!beside) return beside.error();
+    for (const MetadataFile& file : *beside)
+      if (const auto added = bag_.add(file.path, file.text); !added) return added.error();
     const auto read_again = [this](const fs::path& written) -> Result<void> {
       const auto whole = checkBag(written, progress_, stop_);
       return whole ? Result<void>() : whole.error();
@@ -210,13 +73,13 @@ class Exporting {
                                               read_again);
     if (!finished) return finished.error();
     exported_.sherds = static_cast<int>(sherds.size());
-    exported_.files = static_cast<int>(bag_.files().size());
+    exported_.files = static_cast<int>(bag_.files().size()) + kFilesOfTheBag;
     exported_.bytes = bag_.bytes();
     return exported_;
   }
 
  private:
-  Result<void> copy(const std::vector<SherdRecord>& sherds, const Plan& plan,
+  Result<void> copy(const std::vector<SherdRecord>& sherds, const ExportPlan& plan,
                     const std::string& licence) {
     std::map<SherdRow, const SherdRecord*> by_row;
     std::map<BatchRow, std::string> scale_doubts;
@@ -227,7 +90,7 @@ class Exporting {
       if (!batch) return batch.error();
       scale_doubts[sherd.batch] = batch->scale_doubts;
     }
-    for (const Wanted& file : plan.files()) {
+    for (const PlannedFile& file : plan.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_++, total_);
       std::error_code code;
@@ -248,8 +111,8 @@ class Exporting {
     return {};
   }
 
-  Result<BagFile> addModel(const Wanted& file, const SherdRecord& sherd, const std::string& licence,
-                           const std::string& scale_doubts) {
+  Result<BagFile> addModel(const PlannedFile& file, const SherdRecord& sherd,
+                           const std::string& licence, const std::string& scale_doubts) {
     Result<std::string> bytes = readFile(file.from);
     if (!bytes) return bytes.error();
     if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
@@ -278,13 +141,6 @@ class Exporting {
     return bag_.add(file.to, *added);
   }
 
-  static Result<std::string> glbOf(const TriangleMesh& mesh, const SherdRecord& sherd) {
-    GlbExtras extras;
-    if (sherd.measures.contains("filled_pct"))
-      extras.filled_percent = sherd.measures.at("filled_pct");
-    return formatGlb(mesh, extras);
-  }
-
   // A sherd's files come one after the other: its lighter model is made once for all of them.
   const Result<LighterModel>& lightened(const SherdRecord& sherd, const std::string& ply,
                                         const std::string& where) {
@@ -306,24 +162,22 @@ class Exporting {
     if (role == "drawing") named["drawing_file"] = to;
   }
 
-  Result<void> draw(const Plan& plan, const std::string& title) {
-    DrawSherdsOptions how;
-    how.drawing.wording = options_.wording;
-    drawing::SheetOptions sheet;
-    sheet.title = title;
-    sheet.wording = options_.wording;
+  Result<void> draw(const ExportPlan& plan, const std::string& title) {
     for (const std::string& why : plan.notDrawn())
       exported_.warnings.push_back("Not drawn: " + why);
     for (const SherdRecord* sherd : plan.drawn()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_, total_);
       done_ += kDrawingAsCopies;
-      const Result<std::vector<Page>> drawn = drawnPages(*sherd, plan.project(), how, sheet);
+      const Result<DrawnSheets> drawn =
+          sheetsOf(catalogue_, *sherd, plan.project(), options_, title);
       if (!drawn) {
         exported_.warnings.push_back("Not drawn: " + drawn.error().sentence());
         continue;
       }
-      const std::vector<Page>& pages = *drawn;
+      for (const std::string& remark : drawn->remarks)
+        exported_.warnings.push_back("Check the drawing of " + slugOf(*sherd) + ": " + remark);
+      const std::vector<Page>& pages = drawn->pages;
       const std::string to = "drawings/" + slugOf(*sherd);
       for (const auto& [path, bytes] :
            {std::pair(to + ".svg", formatSvg(pages.front(), sherd->number)),
@@ -336,27 +190,7 @@ class Exporting {
     return {};
   }
 
-  Result<std::vector<Page>> drawnPages(const SherdRecord& sherd, const fs::path& project,
-                                       DrawSherdsOptions how, const drawing::SheetOptions& sheet) {
-    const std::vector<double> scales =
-        options_.drawing_scale ? std::vector{*options_.drawing_scale}
-                               : std::vector<double>(std::begin(kScales), std::end(kScales));
-    for (const double scale : scales) {
-      how.drawing.scale = scale;
-      Result<drawing::SherdDrawing> drawn = drawSherd(catalogue_, sherd, project, how);
-      if (!drawn) return drawn.error();
-      std::vector<Page> pages = drawing::layOut({std::move(*drawn)}, scale, sheet);
-      const Eigen::Vector2d wanted = paperSize(sheet.paper);
-      const Eigen::Vector2d page(pages.front().width_mm, pages.front().height_mm);
-      // However the sheet is turned.
-      const bool fits =
-          page.minCoeff() <= wanted.minCoeff() + 0.1 && page.maxCoeff() <= wanted.maxCoeff() + 0.1;
-      if (fits || scale == scales.back()) return pages;
-    }
-    return Error{ErrorCode::Failed, "There is no scale to draw it at.", sherd.number};
-  }
-
-  Result<void> views(const Plan& plan) {
+  Result<void> views(const ExportPlan& plan) {
     const auto batches = plan.viewed();
     const fs::path scratch = folderNamed(options_.target).string() + ".views";
     for (const auto& [row, number] : batches) {
@@ -441,41 +275,6 @@ class Exporting {
 
 }  // namespace
 
-Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& project,
-                                std::span<const SherdRow> rows, const ExportOptions& options,
-                                std::stop_token stop) {
-  Plan plan(catalogue, project, options);
-  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
-  if (!sherds) return sherds.error();
-  ExportSize size;
-  size.sherds = static_cast<int>(sherds->size());
-  size.drawings = static_cast<int>(plan.drawn().size());
-  size.files = static_cast<int>(plan.files().size() + 3 * plan.viewedPhotographs().size()) +
-               2 * size.drawings;
-  size.bytes = size.drawings * kDrawingBytes;
-  size.without_model = plan.without_model;
-  for (const fs::path& photograph : plan.viewedPhotographs()) {
-    std::error_code code;
-    const std::uintmax_t bytes = fs::file_size(photograph, code);
-    if (!code) size.bytes += kViewTimesJpeg * static_cast<std::int64_t>(bytes);
-  }
-  std::set<SherdRow> lightened;
-  for (const Wanted& file : plan.files()) {
-    if (stop.stop_requested()) return Error::cancelled();
-    std::error_code code;
-    auto bytes = static_cast<std::int64_t>(fs::file_size(file.from, code));
-    if (code) continue;
-    if (file.form == Form::Obj) bytes = bytes * 11 / 5;  // a binary PLY that becomes text
-    if (options.deviation_mm > 0 && isModel(file.form)) {
-      bytes /= kLighterPart;
-      lightened.insert(file.sherd);
-    }
-    size.bytes += bytes;
-  }
-  size.lightened = static_cast<int>(lightened.size());
-  return size;
-}
-
 Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& project,
                               std::span<const SherdRow> rows, const ExportOptions& options,
                               Progress& progress, std::stop_token stop) {
@@ -484,7 +283,7 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
   Exported exported;
   // Tables, records and names of files agree, whatever is edited meanwhile.
   const Result<void> all = catalogue.inOneMoment([&]() -> Result<void> {
-    Plan plan(catalogue, project, options);
+    ExportPlan plan(catalogue, project, options);
     const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
     if (!sherds) return sherds.error();
     Result<BagWriter> bag = BagWriter::begin(options.target);

@@ -45,19 +45,24 @@ struct ExportOptions {
 
 struct ExportSize {
   int sherds = 0, files = 0;
-  std::int64_t bytes = 0;  ///< of the copied files; records add about 2 kB a sherd
+  std::int64_t bytes = 0;  ///< of all of them, within a tenth; see sizeOfExport
   int without_model = 0;
   int drawings = 0;   ///< sherds that will be drawn, two of the files each
   int lightened = 0;  ///< sherds whose models will get fewer triangles
 };
-/// What the export will take, before it starts. Errors: those of the catalogue, Cancelled.
+/// What the export will take, before it starts. Copies are counted; of what is made only for the
+/// export (OBJ, lighter models, drawings, records) one to three sherds of middle size tell for all.
+/// Views are a rough figure. Errors: those of the catalogue, Cancelled.
 Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& project,
                                 std::span<const catalogue::SherdRow> sherds,
                                 const ExportOptions& options, std::stop_token stop);
 
+/// Beside the files that the manifest lists: itself, its own checksums and two with the bag's data.
+inline constexpr int kFilesOfTheBag = 4;
+
 struct Exported {
-  int sherds = 0, files = 0;
+  int sherds = 0, files = 0;  ///< files: all that lie in the folder
   std::int64_t bytes = 0;
   std::vector<std::string>
       warnings;  ///< models or photographs that are not there, sherds not drawn

@@ -7,6 +7,7 @@
 #include "catalogue/names.h"
 #include "catalogue/values.h"
 #include "exchange/column_meanings.h"
+#include "exchange/column_names.h"
 #include "exchange/csv.h"
 #include "exchange/portions.h"
 #include "exchange/table_joins.h"
@@ -339,6 +340,18 @@ void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping) {
       }
 }
 
+// A column that has no field: its name says nothing, or another one has its field.
+std::string ownField(const ColumnChoice& choice, const TableMapping& mapping) {
+  std::string field = fieldOfColumn(choice.column, mapping.of_contexts);
+  if (field.empty()) field = fieldOfColumn(nameAndUnit(choice.column).name, mapping.of_contexts);
+  for (const ColumnChoice& other : mapping.columns)
+    if (!field.empty() && other.field == field && other.column != choice.column)
+      return "The column '" + choice.column + "' says the same as '" + other.column +
+             "'; its values are kept as a field of your own.";
+  return "The column '" + choice.column +
+         "' is not known; its values are kept as a field of your own.";
+}
+
 }  // namespace
 
 Result<void> previewOrEnter(Catalogue& catalogue, ImportMode mode,
@@ -389,9 +402,7 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   nameColumns(report->refusals, *mapping);
   nameColumns(report->questions, *mapping);
   for (const ColumnChoice& choice : mapping->columns)
-    if (choice.by == ChosenBy::Nobody)
-      report->warnings.push_back("The column '" + choice.column +
-                                 "' is not known; its values are kept as a field of your own.");
+    if (choice.by == ChosenBy::Nobody) report->warnings.push_back(ownField(choice, *mapping));
   if (options.mode == ImportMode::Enter)
     if (Result<void> saved = rememberColumns(catalogue, *mapping); !saved) return saved.error();
   report->mapping = *mapping;

@@ -43,41 +43,67 @@ constexpr const char* kContext = R"({
 }
 )";
 
-constexpr const char* kReadMe =
-    "Potsherds, measured in 3D\n"
-    "=========================\n\n"
-    "sherds.csv       one line a sherd; lengths in mm, areas in mm2, volumes in mm3, weights in g\n"
-    "contexts.csv     where the sherds were found\n"
-    "columns.csv      what the columns of both mean\n"
-    "sherds.ods       the same three tables as one spreadsheet\n"
-    "sherds/          one JSON record a sherd (format ostraka-sherd/1, words in context.jsonld)\n"
-    "models/          closed surfaces: PLY and OBJ in mm with z up, GLB in metres with y up,\n"
-    "                 the GLB simplified, nearly all of it by less than 0.05 mm; models that\n"
-    "                 were made lighter say in the file how far off they are\n"
-    "images/          a picture of each model\n"
-    "photographs/     the photographs that the models were made from, unchanged\n"
-    "drawings/        drawings for print\n"
-    "views/           photographs without the lens's distortion, masks and poses, for COLMAP and\n"
-    "                 OpenMVS: InterfaceCOLMAP -i views/B0001/front -o scene.mvs, or\n"
-    "                 colmap gui --import_path views/B0001/front/sparse\n"
+// What may lie in an export, and what it is; of the rest a reader would look for in vain.
+struct Part {
+  const char* path;  ///< a file, or a folder with / at its end
+  const char* text;
+};
+constexpr Part kParts[] = {
+    {"sherds.csv", "one line a sherd; lengths in mm, areas in mm2, volumes in mm3, weights in g"},
+    {"contexts.csv", "where the sherds were found"},
+    {"columns.csv", "what the columns of both mean"},
+    {"sherds.ods", "sherds, contexts and their columns as one spreadsheet"},
+    {"sherds/", "one JSON record a sherd (format ostraka-sherd/1, words in context.jsonld)"},
+    {"models/",
+     "closed surfaces: PLY and OBJ in mm with z up, GLB in metres with y up,\n"
+     "                 the GLB simplified, nearly all of it by less than 0.05 mm; models that\n"
+     "                 were made lighter say in the file how far off they are"},
+    {"images/", "a picture of each model"},
+    {"photographs/", "the photographs that the models were made from, unchanged"},
+    {"drawings/", "drawings for print"},
+    {"views/",
+     "photographs without the lens's distortion, masks and poses, for COLMAP and\n"
+     "                 OpenMVS: InterfaceCOLMAP -i views/B0001/front -o scene.mvs, or\n"
+     "                 colmap gui --import_path views/B0001/front/sparse"}};
+constexpr const char* kMetadata =
     "metadata/        the project, its places, its batches with scans and decisions,\n"
-    "                 the words of its vocabularies that the sherds use\n\n"
-    "In a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
-    "does\n"
-    "not take it for a formula.\n\n"
-    "The folder is a bag after RFC 8493. In the folder above this one, `sha256sum -c\n"
+    "                 the words of its vocabularies that the sherds use\n";
+constexpr const char* kGuarded =
+    "\nIn a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
+    "does\nnot take it for a formula.\n";
+constexpr const char* kBag =
+    "\nThe folder is a bag after RFC 8493. In the folder above this one, `sha256sum -c\n"
     "manifest-sha256.txt` checks every file.\n";
 
+std::string listOf(const std::vector<BagFile>& exported) {
+  std::string text = "Potsherds, measured in 3D\n=========================\n\n";
+  for (const Part& part : kParts) {
+    const std::string path = std::string("data/") + part.path;
+    const auto begins = [&](const BagFile& file) {
+      return path.ends_with('/') ? file.path.starts_with(path) : file.path == path;
+    };
+    if (!std::any_of(exported.begin(), exported.end(), begins)) continue;
+    std::string name = part.path;
+    name.resize(17, ' ');
+    text += name + part.text + "\n";
+  }
+  text += kMetadata;
+  const auto table = [](const BagFile& file) { return file.path == "data/sherds.csv"; };
+  if (std::any_of(exported.begin(), exported.end(), table)) text += kGuarded;
+  return text + kBag;
+}
+
 // What nobody who measures on these models may overlook.
-Result<std::string> readMe(const Catalogue& catalogue, const std::set<BatchRow>& batches) {
+Result<std::string> readMe(const Catalogue& catalogue, const std::set<BatchRow>& batches,
+                           const std::vector<BagFile>& exported) {
   std::string doubts;
   for (const BatchRow row : batches) {
     const Result<BatchRecord> batch = catalogue.batch(row);
     if (!batch) return batch.error();
     if (!batch->scale_doubts.empty()) doubts += batch->number + ": " + batch->scale_doubts + "\n";
   }
-  if (doubts.empty()) return std::string(kReadMe);
-  return std::string(kReadMe) +
+  if (doubts.empty()) return listOf(exported);
+  return listOf(exported) +
          "\nMeasures in doubt\n"
          "-----------------\n"
          "The models and measures of these batches may be wrong (in sherds.csv their\n"
@@ -313,9 +339,11 @@ Result<json> jsonOf(const BagReader& bag, const std::string& path) {
 
 }  // namespace
 
-Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRecord>& sherds,
-                           const ProjectRecord& project, const std::string& program,
-                           BagWriter& bag) {
+Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
+                                             const std::vector<SherdRecord>& sherds,
+                                             const ProjectRecord& project,
+                                             const std::string& program,
+                                             const std::vector<BagFile>& exported) {
   std::set<ContextRow> contexts;
   std::set<BatchRow> batches;
   for (const SherdRecord& sherd : sherds) {
@@ -334,11 +362,11 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
   }
   const Result<ordered_json> places = placesJson(catalogue, contexts);
   if (!places) return places.error();
-  const Result<ordered_json> digitised = batchesJson(catalogue, batches, bag.files());
+  const Result<ordered_json> digitised = batchesJson(catalogue, batches, exported);
   if (!digitised) return digitised.error();
   const Result<ordered_json> words = vocabulariesJson(catalogue, sherds);
   if (!words) return words.error();
-  const Result<std::string> read_me = readMe(catalogue, batches);
+  const Result<std::string> read_me = readMe(catalogue, batches, exported);
   if (!read_me) return read_me.error();
   const ordered_json dublin_core = {{"identifier", project.id},
                                     {"code", project.code},
@@ -350,16 +378,12 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
                                     {"format", "ostraka-export/1"},
                                     {"provenance", program},
                                     {"numbering", project.numbering}};
-  const std::pair<const char*, std::string> files[] = {
-      {"metadata/project.json", dublin_core.dump(1) + "\n"},
-      {"metadata/places.json", places->dump(1) + "\n"},
-      {"metadata/batches.json", digitised->dump(1) + "\n"},
-      {"metadata/vocabularies.json", words->dump(1) + "\n"},
-      {"context.jsonld", kContext},
-      {"README.txt", *read_me}};
-  for (const auto& [name, text] : files)
-    if (const auto added = bag.add(name, text); !added) return added.error();
-  return {};
+  return std::vector<MetadataFile>{{"metadata/project.json", dublin_core.dump(1) + "\n"},
+                                   {"metadata/places.json", places->dump(1) + "\n"},
+                                   {"metadata/batches.json", digitised->dump(1) + "\n"},
+                                   {"metadata/vocabularies.json", words->dump(1) + "\n"},
+                                   {"context.jsonld", kContext},
+                                   {"README.txt", *read_me}};
 }
 
 Result<ReadBatches> readMetadata(Catalogue& catalogue, const BagReader& bag, const Act& act) {

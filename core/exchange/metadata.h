@@ -10,12 +10,17 @@
 
 namespace ostraka::exchange {
 
+struct MetadataFile {
+  std::string path, text;
+};
 /// What travels beside the records: metadata/project.json (Dublin Core), metadata/places.json,
-/// metadata/batches.json, metadata/vocabularies.json, context.jsonld and README.txt.
-Result<void> writeMetadata(const catalogue::Catalogue& catalogue,
-                           const std::vector<catalogue::SherdRecord>& sherds,
-                           const catalogue::ProjectRecord& project, const std::string& program,
-                           BagWriter& bag);
+/// metadata/batches.json, metadata/vocabularies.json, context.jsonld and README.txt. exported: the
+/// files so far, which README.txt lists.
+Result<std::vector<MetadataFile>> metadataOf(const catalogue::Catalogue& catalogue,
+                                             const std::vector<catalogue::SherdRecord>& sherds,
+                                             const catalogue::ProjectRecord& project,
+                                             const std::string& program,
+                                             const std::vector<BagFile>& exported);
 
 /// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
 /// of metadata/, with their ids, and terms of vocabularies, into a catalogue that does not have

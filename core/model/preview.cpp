@@ -151,6 +151,26 @@ cv::Mat drawn(const TriangleMesh& mesh, const Matrix3d& view, double px_per_mm,
   return averaged(Raster(mesh, view, frame, o).run(), std::max(1, o.supersampling));
 }
 
+// The sherd without a ground: what differs between a white and a black one shines through.
+cv::Mat cutOut(const TriangleMesh& mesh, const Matrix3d& view, double px_per_mm, PreviewOptions o) {
+  o.background = {255, 255, 255};
+  const cv::Mat on_white = drawn(mesh, view, px_per_mm, o);
+  o.background = {0, 0, 0};
+  const cv::Mat on_black = drawn(mesh, view, px_per_mm, o);
+  cv::Mat out(on_white.rows, on_white.cols, CV_8UC4);
+  for (int y = 0; y < out.rows; ++y)
+    for (int x = 0; x < out.cols; ++x) {
+      const cv::Vec3b &white = on_white.at<cv::Vec3b>(y, x), &black = on_black.at<cv::Vec3b>(y, x);
+      const int opaque = std::clamp(255 - (white[1] - black[1]), 0, 255);
+      cv::Vec4b& pixel = out.at<cv::Vec4b>(y, x);
+      for (int k = 0; k < 3; ++k)
+        pixel[k] = static_cast<std::uint8_t>(
+            opaque == 0 ? 0 : std::min(255, (black[k] * 255 + opaque / 2) / opaque));
+      pixel[3] = static_cast<std::uint8_t>(opaque);
+    }
+  return out;
+}
+
 // Rows: right, up, towards the viewer of the front; the longest axis to the right, z of the mesh
 // decides which side is the front.
 Matrix3d frontView(const TriangleMesh& mesh) {
@@ -193,10 +213,10 @@ cv::Mat renderPreview(const TriangleMesh& mesh, const PreviewOptions& options) {
   double scale = INFINITY;
   for (const Matrix3d& view : {front, back, edge})
     scale = std::min(scale, fittingScale(boxOf(mesh, view), options));
-  cv::Mat picture(options.height_px, 3 * options.width_px, CV_8UC3);
+  cv::Mat picture(options.height_px, 3 * options.width_px, CV_8UC4);
   int at = 0;
   for (const Matrix3d& view : {front, back, edge}) {
-    drawn(mesh, view, scale, options)
+    cutOut(mesh, view, scale, options)
         .copyTo(picture(cv::Rect(at, 0, options.width_px, options.height_px)));
     at += options.width_px;
   }

@@ -20,7 +20,8 @@ struct PreviewOptions {
 cv::Mat renderView(const TriangleMesh& mesh, const Eigen::Matrix3d& view_from_model,
                    const PreviewOptions& options);
 
-/// Front, back and the edge of a sherd lying in the plate's plane, side by side, at one scale.
+/// Front, back and the edge of a sherd lying in the plate's plane, side by side, at one scale, on
+/// no ground: BGRA, so that it stands on paper, on a dark matte and in a chosen row alike.
 cv::Mat renderPreview(const TriangleMesh& mesh, const PreviewOptions& options);
 
 }  // namespace ostraka::model

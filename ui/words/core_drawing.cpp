@@ -22,6 +22,7 @@ Sentences sentencesOfDrawing() {
                         "A sheet of an earlier drawing is there and is not overwritten; choose "
                         "another name, or remove it."),
       // What drawings say beside numbers.
+      QT_TRANSLATE_NOOP("ostraka::Error", "sherd %1 of %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm (95 %: %2 to %3)"),
       QT_TRANSLATE_NOOP("ostraka::Error", "%1 % of the rim kept"),

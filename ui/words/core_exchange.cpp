@@ -47,6 +47,9 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The column '%1' is not known; its values are kept as a field of your own."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "The column '%1' says the same as '%2'; its values are kept as a field of your own."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The file is no text: it holds binary data, which no table does."),
       QT_TRANSLATE_NOOP("ostraka::Error",
@@ -77,6 +80,7 @@ Sentences sentencesOfExchange() {
           "batch %2 again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "%1 goes along whole: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Not drawn: %1"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Check the drawing of %1: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "No pictures with masks and poses of %1: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "There is no sherd to export; choose some first."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The row has neither a number nor a uuid."),

@@ -13,6 +13,25 @@ Page pageWith(Sheet sheet) {
   return {100, 50, {{std::move(sheet), {10, 5}, {}}}};
 }
 
+// What one of Poppler's programs says of a PDF.
+std::string answerOf(const std::string& program, const std::string& pdf,
+                     const std::string& behind = "") {
+  const std::string file = testing::TempDir() + "sheet_said.pdf", out = file + ".txt";
+  std::ofstream(file, std::ios::binary) << pdf;
+  EXPECT_EQ(std::system((program + " " + file + " " + behind + " > " + out).c_str()), 0);
+  std::ifstream in(out, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+std::string wordsOf(const std::string& pdf) {
+  std::string text = answerOf("pdftotext -layout", pdf, "-"), lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    line.erase(0, line.find_first_not_of(" \f"));
+    if (!line.empty()) lines += (lines.empty() ? "" : "\n") + line;
+  }
+  return lines;
+}
+
 TEST(Sheet, StatesThePagesSizeInMillimetres) {
   const std::string svg = formatSvg(pageWith({}), "plate");
   EXPECT_THAT(svg, testing::HasSubstr("width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 50\""));
@@ -25,16 +44,39 @@ TEST(Sheet, KeepsMarkupOfTextsFromBecomingMarkup) {
   Sheet sheet;
   sheet.text({1, 2}, 3, "a<b & (c)\\");
   EXPECT_THAT(formatSvg(pageWith(sheet), ""), testing::HasSubstr(">a&lt;b &amp; (c)\\</text>"));
-  EXPECT_THAT(formatPdf({pageWith(sheet)}, ""), testing::HasSubstr("(a<b & \\(c\\)\\\\) Tj"));
+  EXPECT_EQ(wordsOf(formatPdf({pageWith(sheet)}, "")), "a<b & (c)\\");
 }
 
-TEST(Sheet, WritesLatinLettersAsOneByteAndWhatNoFontHasAsQuestionMarks) {
+TEST(Sheet, LetsItsLettersBeCopiedAndWritesAQuestionMarkWhereNoFontHasOne) {
   Sheet sheet;
-  sheet.text({0, 0}, 3, "\xC3\x98 5 \xC2\xB1 1?");  // diameter sign, plus-minus
-  sheet.text({0, 9}, 3, "a \xF3\xB0\x80\x80 b");    // U+F0000, for private use
-  const std::string pdf = formatPdf({pageWith(sheet)}, "");
-  EXPECT_THAT(pdf, testing::HasSubstr("(\xD8 5 \xB1 1?) Tj"));
-  EXPECT_THAT(pdf, testing::HasSubstr("(a ? b) Tj"));
+  sheet.text({0, 0}, 3, "\xC3\x98 5 \xC2\xB1 1? \u0533\u0561\u057C\u0576\u056B");  // diameter sign
+  sheet.text({0, 9}, 3, "seen \xF3\xB0\x80\x80 here");  // U+F0000, for private use
+  EXPECT_EQ(wordsOf(formatPdf({pageWith(sheet)}, "")),
+            "\xC3\x98 5 \xC2\xB1 1? \u0533\u0561\u057C\u0576\u056B\nseen ? here");
+}
+
+// A printer or publisher that lacks a font puts another in its place.
+TEST(Sheet, EmbedsTheFontsOfItsLetters) {
+  Sheet sheet;
+  sheet.text({0, 0}, 3, "plain");
+  sheet.text({0, 9}, 3, "bold", Anchor::Left, Weight::Bold);
+  for (int i = 0; i < 300; ++i) {  // more letters than one font of a PDF has
+    const unsigned code = 0x4E00u + static_cast<unsigned>(i);
+    sheet.text({0, 12}, 3,
+               {static_cast<char>(0xE0 | (code >> 12)), static_cast<char>(0x80 | (code >> 6 & 63)),
+                static_cast<char>(0x80 | (code & 63))});
+  }
+  const std::string fonts = answerOf("pdffonts", formatPdf({pageWith(sheet)}, ""));
+  std::istringstream lines(fonts);
+  std::string line;
+  int rows = 0;
+  while (std::getline(lines, line))
+    if (line.find("Type 3") != std::string::npos) {
+      ++rows;
+      EXPECT_THAT(line, testing::ContainsRegex("yes +(yes|no) +yes")) << line;  // emb sub uni
+    }
+  EXPECT_GE(rows, 1) << fonts;
+  EXPECT_THAT(fonts, testing::Not(testing::HasSubstr("Helvetica")));
 }
 
 // Rendered by Poppler: the letters differ from each other and stand where they were put.
@@ -78,8 +120,13 @@ TEST(Sheet, DrawsTheLettersOfOtherScripts) {
 }
 
 TEST(Sheet, MeasuresTextsByTheirLetters) {
-  // H 722, i 222 thousandths of 10 mm.
-  EXPECT_NEAR(textWidth({{0, 0}, 10, "Hi", Anchor::Left, Weight::Plain}), 9.44, 1e-9);
+  const auto width = [](const char* text) {
+    return textWidth({{0, 0}, 10, text, Anchor::Left, Weight::Plain});
+  };
+  EXPECT_NEAR(width("Hill"), width("H") + width("i") + 2 * width("l"), 1e-9);
+  // Of sans-serif fonts H takes 0.65 to 0.8 of the letters' size, i 0.2 to 0.35.
+  EXPECT_NEAR(width("H"), 7.25, 0.75);
+  EXPECT_NEAR(width("i"), 2.75, 0.75);
 }
 
 TEST(Sheet, PutsAllItemsOfAnotherSheetWhereItIsTold) {
@@ -108,7 +155,7 @@ TEST(Sheet, TableOfThePdfPointsAtItsObjects) {
   const std::size_t table = std::strtoul(pdf.c_str() + pdf.rfind("startxref") + 10, nullptr, 10);
   ASSERT_EQ(pdf.substr(table, 5), "xref\n");
   const int count = std::atoi(pdf.c_str() + table + 7);
-  EXPECT_EQ(count, 10);  // the free one, catalogue, pages, 2 fonts, 2 x (content, page), title
+  EXPECT_EQ(count, 11);  // the free one, catalogue, pages, fonts, 2 x (content, page), 2, title
   for (int id = 1; id < count; ++id) {
     const std::size_t entry = pdf.find("\n", table + 5) + 1 + 20 * static_cast<std::size_t>(id);
     const std::size_t offset = std::strtoul(pdf.c_str() + entry, nullptr, 10);

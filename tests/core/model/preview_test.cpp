@@ -36,9 +36,26 @@ TEST(Preview, ThreeViewsSideBySideAreTheSameEachTime) {
   ASSERT_EQ(once.cols, 180);
   ASSERT_EQ(once.rows, 40);
   EXPECT_TRUE(std::equal(once.datastart, once.dataend, again.datastart));
-  // The edge view shows the box's 5 mm only: white a quarter of the height above the middle.
-  EXPECT_EQ(once.at<cv::Vec3b>(10, 150), cv::Vec3b(255, 255, 255));
-  EXPECT_NE(once.at<cv::Vec3b>(20, 150), cv::Vec3b(255, 255, 255));
+  // The edge view shows the box's 5 mm only: nothing a quarter of the height above the middle.
+  EXPECT_EQ(once.at<cv::Vec4b>(10, 150)[3], 0);
+  EXPECT_EQ(once.at<cv::Vec4b>(20, 150)[3], 255);
+}
+
+// In a chosen row, in the dark theme and on paper the same file is shown.
+TEST(Preview, HasNoGroundAndTheSherdsOwnColoursUpToItsEdge) {
+  const TriangleMesh box = boxMesh({30, 20, 5});
+  const cv::Mat cut = renderPreview(box, kSmall);
+  int clear = 0, half = 0;
+  for (int y = 0; y < cut.rows; ++y)
+    for (int x = 0; x < 60; ++x) {
+      const cv::Vec4b pixel = cut.at<cv::Vec4b>(y, x);
+      clear += pixel[3] == 0 ? 1 : 0;
+      if (pixel[3] == 0 || pixel[3] == 255) continue;
+      ++half;  // of the edge: neither white nor black is mixed in
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(pixel[k], cut.at<cv::Vec4b>(20, 30)[k], 3);
+    }
+  EXPECT_GT(clear, 60 * 40 / 8);
+  EXPECT_GT(half, 20);
 }
 
 }  // namespace

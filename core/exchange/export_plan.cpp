@@ -1,0 +1,150 @@
+#include "exchange/export_plan.h"
+
+#include "catalogue/names.h"
+#include "cloud/glb.h"
+#include "exchange/drawn_sherds.h"
+#include "exchange/model_files.h"
+
+namespace ostraka::exchange {
+
+namespace fs = std::filesystem;
+
+using namespace catalogue;
+
+std::string slugOf(const SherdRecord& sherd) {
+  if (!sherd.number.empty()) return slug(sherd.number);
+  if (sherd.piece == 0 || sherd.batch_number.empty()) return slug("sherd-" + sherd.id);
+  return slug(sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") + std::to_string(sherd.piece));
+}
+
+bool isModel(Form form) {
+  return form == Form::Ply || form == Form::Glb || form == Form::Obj;
+}
+
+Result<void> ExportPlan::add(const SherdRecord& sherd) {
+  const std::string name = slugOf(sherd);
+  const Result<std::vector<FileRecord>> files = catalogue_.files(sherd.row);
+  if (!files) return files.error();
+  std::string glb;
+  for (const FileRecord& file : *files) {
+    hashes_[file.path] = file.sha256;
+    if (file.role == "model" && file.path.ends_with(".glb")) glb = file.path;
+  }
+  if (sherd.model_path.empty()) ++without_model_;
+  want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
+  want(Form::Glb, sherd, "model", "models/" + name + ".glb",
+       options_.deviation_mm > 0 || glb.empty() ? sherd.model_path : glb);
+  want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
+  want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
+  if (options_.forms.contains(Form::Drawings)) addDrawing(sherd, name);
+  if (sherd.batch && batches_.emplace(sherd.batch, sherd.batch_number).second)
+    return photographs(sherd.batch, sherd.batch_number);
+  return {};
+}
+std::map<BatchRow, std::string> ExportPlan::viewed() const {
+  return options_.forms.contains(Form::Views) ? batches_ : std::map<BatchRow, std::string>();
+}
+
+void ExportPlan::want(Form form, const SherdRecord& sherd, const char* role, const std::string& to,
+                      const std::string& from) {
+  if (from.empty() || !options_.forms.contains(form)) return;
+  files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form});
+}
+
+// Drawings are for print; tables and records keep void sherds, with their state.
+void ExportPlan::addDrawing(const SherdRecord& sherd, const std::string& name) {
+  const auto made = options_.drawings.find(sherd.row);
+  if (made == options_.drawings.end() && sherd.model_path.empty()) return;
+  if (sherd.state == SherdState::Void) {
+    not_drawn_.push_back(leftOutAsVoid(sherd));
+  } else if (made != options_.drawings.end()) {
+    for (const fs::path& file : made->second)
+      files_.push_back({sherd.row,
+                        "drawing",
+                        "drawings/" + name + slug(file.extension().string()).replace(0, 1, "."),
+                        file,
+                        {},
+                        Form::Drawings});
+  } else {
+    drawn_.push_back(&sherd);
+  }
+}
+
+Result<void> ExportPlan::photographs(BatchRow batch, const std::string& number) {
+  if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views))
+    return {};
+  const Result<std::vector<FileRecord>> files = catalogue_.files(batch);
+  if (!files) return files.error();
+  const std::string folder = "batches/" + number + "/";
+  for (const FileRecord& file : *files) {
+    if (file.role != "photo") continue;
+    if (options_.forms.contains(Form::Views)) viewed_photographs_.push_back(project_ / file.path);
+    if (!options_.forms.contains(Form::Photographs)) continue;
+    const std::string inside = file.path.starts_with(folder)
+                                   ? file.path.substr(folder.size())
+                                   : fs::path(file.path).filename().string();
+    files_.push_back({{},
+                      "photo",
+                      "photographs/" + number + "/" + inside,
+                      project_ / file.path,
+                      file.sha256,
+                      Form::Photographs});
+  }
+  return {};
+}
+
+Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<const SherdRow> rows,
+                                         ExportPlan& plan, const std::stop_token& stop) {
+  Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
+  if (!sherds) return sherds;
+  for (const SherdRecord& sherd : *sherds) {
+    if (stop.stop_requested()) return Error::cancelled();
+    if (const Result<void> added = plan.add(sherd); !added) return added.error();
+  }
+  return sherds;
+}
+
+Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const SherdRecord& sherd,
+                             const fs::path& project, const ExportOptions& options,
+                             const std::string& title) {
+  DrawSherdsOptions how;
+  how.drawing.wording = options.wording;
+  drawing::SheetOptions sheet;
+  sheet.title = title;
+  sheet.wording = options.wording;
+  const std::vector<double> scales =
+      options.drawing_scale
+          ? std::vector{*options.drawing_scale}
+          : std::vector<double>(std::begin(kDrawingScales), std::end(kDrawingScales));
+  for (const double scale : scales) {
+    how.drawing.scale = scale;
+    Result<drawing::SherdDrawing> drawn = drawSherd(catalogue, sherd, project, how);
+    if (!drawn) return drawn.error();
+    std::vector<std::string> remarks = drawn->remarks;
+    std::vector<Page> pages = drawing::layOut({std::move(*drawn)}, scale, sheet);
+    const Eigen::Vector2d wanted = paperSize(sheet.paper);
+    const Eigen::Vector2d page(pages.front().width_mm, pages.front().height_mm);
+    // However the sheet is turned.
+    const bool fits =
+        page.minCoeff() <= wanted.minCoeff() + 0.1 && page.maxCoeff() <= wanted.maxCoeff() + 0.1;
+    if (fits || scale == scales.back()) return DrawnSheets{std::move(pages), std::move(remarks)};
+  }
+  return Error{ErrorCode::Failed, "There is no scale to draw it at.", sherd.number};
+}
+
+Result<std::string> glbOf(const TriangleMesh& mesh, const SherdRecord& sherd) {
+  GlbExtras extras;
+  if (sherd.measures.contains("filled_pct"))
+    extras.filled_percent = sherd.measures.at("filled_pct");
+  return formatGlb(mesh, extras);
+}
+
+Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
+                             const std::string& where) {
+  return form == Form::Ply   ? labelledPly(bytes, label, where)
+         : form == Form::Glb ? labelledGlb(bytes, label, where)
+         : form == Form::Obj ? labelledObj(bytes, label, where)
+                             : bytes;
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,96 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/sheet.h"
+#include "catalogue/catalogue.h"
+#include "cloud/point_cloud.h"
+#include "exchange/export_folder.h"
+#include "exchange/model_files.h"
+
+namespace ostraka::exchange {
+
+/// A sherd's name in an export: its number, or its batch with its place on the batch's map:
+/// B0004-03.
+std::string slugOf(const catalogue::SherdRecord& sherd);
+bool isModel(Form form);
+
+/// The scales that drawings are made at where the sheet decides.
+inline constexpr double kDrawingScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.0};
+
+/// One file to be copied, and what for.
+struct PlannedFile {
+  catalogue::SherdRow sherd;  ///< none: of a batch
+  std::string role, to;
+  std::filesystem::path from;
+  std::string sha256;  ///< as entered; empty when not known
+  Form form = Form::Ply;
+};
+
+/// Everything that an export copies and makes, in a fixed order.
+class ExportPlan {
+ public:
+  ExportPlan(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
+             const ExportOptions& options)
+      : catalogue_(catalogue), project_(project), options_(options) {}
+
+  Result<void> add(const catalogue::SherdRecord& sherd);
+  /// Those whose pictures, masks and poses are wanted.
+  std::map<catalogue::BatchRow, std::string> viewed() const;
+  const std::vector<std::filesystem::path>& viewedPhotographs() const {
+    return viewed_photographs_;
+  }
+  const std::vector<PlannedFile>& files() const { return files_; }
+  const std::filesystem::path& project() const { return project_; }
+  /// To be drawn; the records outlive the plan.
+  const std::vector<const catalogue::SherdRecord*>& drawn() const { return drawn_; }
+  /// Not drawn, and why.
+  const std::vector<std::string>& notDrawn() const { return not_drawn_; }
+  /// Of the sherds that were added.
+  const std::map<catalogue::BatchRow, std::string>& batches() const { return batches_; }
+  int withoutModel() const { return without_model_; }
+
+ private:
+  void want(Form form, const catalogue::SherdRecord& sherd, const char* role, const std::string& to,
+            const std::string& from);
+  void addDrawing(const catalogue::SherdRecord& sherd, const std::string& name);
+  Result<void> photographs(catalogue::BatchRow batch, const std::string& number);
+
+  const catalogue::Catalogue& catalogue_;
+  const std::filesystem::path& project_;
+  const ExportOptions& options_;
+  std::vector<PlannedFile> files_;
+  std::vector<const catalogue::SherdRecord*> drawn_;
+  std::vector<std::string> not_drawn_;
+  std::vector<std::filesystem::path> viewed_photographs_;
+  std::map<catalogue::BatchRow, std::string> batches_;
+  std::map<std::string, std::string> hashes_;
+  int without_model_ = 0;
+};
+
+/// The records of these sherds; the plan refers to them.
+Result<std::vector<catalogue::SherdRecord>> readAll(const catalogue::Catalogue& catalogue,
+                                                    std::span<const catalogue::SherdRow> rows,
+                                                    ExportPlan& plan, const std::stop_token& stop);
+
+/// A sherd's drawing on its sheets.
+struct DrawnSheets {
+  std::vector<Page> pages;
+  std::vector<std::string> remarks;  ///< of the drawing
+};
+/// Errors: those of drawSherd.
+Result<DrawnSheets> sheetsOf(const catalogue::Catalogue& catalogue,
+                             const catalogue::SherdRecord& sherd,
+                             const std::filesystem::path& project, const ExportOptions& options,
+                             const std::string& title);
+/// A model as GLB.
+Result<std::string> glbOf(const TriangleMesh& mesh, const catalogue::SherdRecord& sherd);
+/// A model in one of its forms, labelled. bytes: a GLB for that form, a PLY for the others.
+Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
+                             const std::string& where);
+
+}  // namespace ostraka::exchange

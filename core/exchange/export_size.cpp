@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <optional>
+
+#include "base/files.h"
+#include "cloud/ply.h"
+#include "exchange/export_plan.h"
+#include "exchange/lighter_model.h"
+#include "exchange/metadata.h"
+#include "exchange/sherd_json.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+constexpr std::int64_t kViewTimesJpeg = 5;  // PNG with masks, of a JPEG
+constexpr std::size_t kRecordsRead = 16;
+constexpr std::size_t kChecksum = 64;  // letters of one
+
+std::int64_t bytesOf(const fs::path& file) {
+  std::error_code code;
+  const std::uintmax_t bytes = fs::file_size(file, code);
+  return code ? 0 : static_cast<std::int64_t>(bytes);
+}
+
+// The middle one, by what `size` says.
+template <class List, class Size>
+const auto* middleOf(const List& list, Size size) {
+  std::vector<const typename List::value_type*> order;
+  for (const auto& one : list) order.push_back(&one);
+  if (order.empty()) return static_cast<const typename List::value_type*>(nullptr);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  std::nth_element(order.begin(), middle, order.end(),
+                   [&](const auto* a, const auto* b) { return size(*a) < size(*b); });
+  return *middle;
+}
+
+class Sizing {
+ public:
+  Sizing(const Catalogue& catalogue, const ExportPlan& plan, const ExportOptions& options,
+         const std::vector<SherdRecord>& sherds, std::stop_token stop)
+      : catalogue_(catalogue),
+        plan_(plan),
+        options_(options),
+        sherds_(sherds),
+        stop_(std::move(stop)) {}
+
+  Result<ExportSize> run() {
+    size_.sherds = static_cast<int>(sherds_.size());
+    size_.without_model = plan_.withoutModel();
+    for (const auto step :
+         {&Sizing::copies, &Sizing::drawings, &Sizing::records, &Sizing::metadata}) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      if (Result<void> done = (this->*step)(); !done) return done.error();
+    }
+    size_.files += static_cast<int>(files_.size()) + kFilesOfTheBag;
+    return size_;
+  }
+
+ private:
+  void add(const std::string& to, std::int64_t bytes, SherdRow sherd = {},
+           const std::string& role = {}) {
+    files_.push_back({"data/" + to, std::string(kChecksum, '0'), bytes});
+    size_.bytes += bytes;
+    if (sherd) of_sherds_[sherd].push_back({role, to, files_.back().sha256, bytes});
+  }
+
+  // Copies that stay as they are; models that are made anew are measured on one of them.
+  Result<void> copies() {
+    const auto made = [&](const PlannedFile& file) {
+      return isModel(file.form) && (options_.deviation_mm > 0 || file.form == Form::Obj ||
+                                    (file.form == Form::Glb && file.from.extension() == ".ply"));
+    };
+    std::vector<PlannedFile> models;
+    std::set<SherdRow> lightened;
+    for (const PlannedFile& file : plan_.files()) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      std::error_code code;
+      if (!fs::is_regular_file(file.from, code)) continue;  // is left out
+      if (made(file))
+        models.push_back(file);
+      else
+        add(file.to, bytesOf(file.from), file.sherd, file.role);
+      if (isModel(file.form) && options_.deviation_mm > 0) lightened.insert(file.sherd);
+    }
+    size_.lightened = static_cast<int>(lightened.size());
+    const auto* middle =
+        middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
+    const std::map<Form, double> shares =
+        middle == nullptr ? std::map<Form, double>() : sharesOf(middle->from);
+    for (const PlannedFile& file : models) {
+      const auto share = shares.find(file.form);
+      const double bytes =
+          static_cast<double>(bytesOf(file.from)) * (share == shares.end() ? 1 : share->second);
+      add(file.to, static_cast<std::int64_t>(bytes), file.sherd, file.role);
+    }
+    for (const fs::path& photograph : plan_.viewedPhotographs()) {
+      size_.files += 3;
+      size_.bytes += kViewTimesJpeg * bytesOf(photograph);
+    }
+    return {};
+  }
+
+  // Of a PLY's bytes; nothing where it cannot be read, as the export will say.
+  std::map<Form, double> sharesOf(const fs::path& ply) const {
+    const Result<std::string> bytes = readFile(ply);
+    if (!bytes) return {};
+    const Result<PlyContents> read = parsePly(*bytes, ply.string());
+    if (!read) return {};
+    const auto of = static_cast<double>(std::max<std::size_t>(1, bytes->size()));
+    std::optional<LighterModel> lighter;
+    if (options_.deviation_mm > 0)
+      if (Result<LighterModel> made = lighterModel(read->mesh, options_.deviation_mm))
+        lighter = std::move(*made);
+    const std::string plain = lighter ? formatPly(lighter->mesh, "plate_front") : *bytes;
+    std::map<Form, double> shares{{Form::Ply, static_cast<double>(plain.size()) / of}};
+    if (options_.forms.contains(Form::Obj))
+      if (const auto obj = labelled(Form::Obj, plain, {}, ply.string()))
+        shares[Form::Obj] = static_cast<double>(obj->size()) / of;
+    if (options_.forms.contains(Form::Glb))
+      if (const auto glb = glbOf(lighter ? lighter->mesh : read->mesh, {}))
+        shares[Form::Glb] = static_cast<double>(glb->size()) / of;
+    return shares;
+  }
+
+  // Shaded views take most of a drawing, and their pixels grow with the sherd, as its model does: a
+  // small, a middle and a large one tell for those of about their size.
+  Result<void> drawings() {
+    const auto& drawn = plan_.drawn();
+    size_.drawings = static_cast<int>(drawn.size());
+    const Result<ProjectRecord> project = catalogue_.project();
+    if (!project) return project.error();
+    std::vector<std::pair<double, const SherdRecord*>> order;
+    for (const SherdRecord* sherd : drawn)
+      order.emplace_back(1 + static_cast<double>(bytesOf(plan_.project() / sherd->model_path)),
+                         sherd);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    constexpr std::size_t kDrawn = 3;
+    for (std::size_t k = 0; k < kDrawn; ++k) {
+      const std::size_t from = order.size() * k / kDrawn, to = order.size() * (k + 1) / kDrawn;
+      if (from == to) continue;
+      if (stop_.stop_requested()) return Error::cancelled();
+      std::size_t at = (from + to) / 2;
+      auto sheets =
+          sheetsOf(catalogue_, *order[at].second, plan_.project(), options_, project->title);
+      if (!sheets) {  // its model is at fault, as the export will say
+        at = from;
+        sheets = sheetsOf(catalogue_, *order[at].second, plan_.project(), options_, project->title);
+      }
+      if (!sheets) continue;
+      const auto& [size, middle] = order[at];
+      const auto svg = static_cast<double>(formatSvg(sheets->pages.front(), middle->number).size());
+      const auto pdf = static_cast<double>(formatPdf(sheets->pages, middle->number).size());
+      for (std::size_t i = from; i < to; ++i) {
+        const double share = order[i].first / size;
+        const std::string name = "drawings/" + slugOf(*order[i].second);
+        const SherdRow row = order[i].second->row;
+        add(name + ".svg", static_cast<std::int64_t>(svg * share), row, "drawing");
+        add(name + ".pdf", static_cast<std::int64_t>(pdf * share), row, "drawing");
+      }
+    }
+    return {};
+  }
+
+  // A few sherds tell how long the lines of all are.
+  Result<void> records() {
+    if (sherds_.empty()) return {};
+    const std::size_t step = std::max<std::size_t>(1, sherds_.size() / kRecordsRead);
+    std::vector<SherdRow> some;
+    std::int64_t record_bytes = 0;
+    for (std::size_t i = 0; i < sherds_.size(); i += step) {
+      const SherdRecord& sherd = sherds_[i];
+      some.push_back(sherd.row);
+      if (!options_.forms.contains(Form::Json)) continue;
+      const Result<std::string> text =
+          sherdJson(catalogue_, sherd, of_sherds_[sherd.row], options_.program);
+      if (!text) return text.error();
+      record_bytes += static_cast<std::int64_t>(text->size());
+    }
+    if (options_.forms.contains(Form::Json))
+      for (const SherdRecord& sherd : sherds_)
+        add("sherds/" + slugOf(sherd) + ".json",
+            record_bytes / static_cast<std::int64_t>(some.size()));
+    tables(some);
+    return {};
+  }
+
+  void tables(const std::vector<SherdRow>& some) {
+    constexpr ByteOrderMark mark = ByteOrderMark::With;
+    const auto bytes = [](const Result<std::string>& text) {
+      return text ? static_cast<std::int64_t>(text->size()) : std::int64_t{0};
+    };
+    const auto all = [&](const Result<std::string>& with, const Result<std::string>& without) {
+      return bytes(without) + (bytes(with) - bytes(without)) *
+                                  static_cast<std::int64_t>(sherds_.size()) /
+                                  static_cast<std::int64_t>(some.size());
+    };
+    FilesOfSherds named;
+    for (const SherdRow row : some)
+      for (const SherdFile& file : of_sherds_[row]) named[row][file.role + "_file"] = file.path;
+    std::set<ContextRow> contexts;
+    for (const SherdRecord& sherd : sherds_)
+      if (sherd.context) contexts.insert(sherd.context);
+    const std::vector<ContextRow> places(contexts.begin(), contexts.end());
+    if (options_.forms.contains(Form::Csv)) {
+      add("sherds.csv",
+          all(sherdsCsv(catalogue_, some, mark, named), sherdsCsv(catalogue_, {}, mark)));
+      add("contexts.csv", bytes(contextsCsv(catalogue_, places, mark)));
+      add("columns.csv", static_cast<std::int64_t>(columnsCsv(mark).size()));
+    }
+    if (options_.forms.contains(Form::Ods))
+      add("sherds.ods",
+          all(tablesOds(catalogue_, some, places, named), tablesOds(catalogue_, {}, places, {})));
+  }
+
+  Result<void> metadata() {
+    const Result<ProjectRecord> project = catalogue_.project();
+    if (!project) return project.error();
+    const auto beside = metadataOf(catalogue_, sherds_, *project, options_.program, files_);
+    if (!beside) return beside.error();
+    for (const MetadataFile& file : *beside)
+      add(file.path, static_cast<std::int64_t>(file.text.size()));
+    return {};
+  }
+
+  const Catalogue& catalogue_;
+  const ExportPlan& plan_;
+  const ExportOptions& options_;
+  const std::vector<SherdRecord>& sherds_;
+  std::stop_token stop_;
+  ExportSize size_;
+  std::vector<BagFile> files_;
+  std::map<SherdRow, std::vector<SherdFile>> of_sherds_;
+};
+
+}  // namespace
+
+Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& project,
+                                std::span<const SherdRow> rows, const ExportOptions& options,
+                                std::stop_token stop) {
+  ExportPlan plan(catalogue, project, options);
+  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
+  if (!sherds) return sherds.error();
+  return Sizing(catalogue, plan, options, *sherds, stop).run();
+}
+
+}  // namespace ostraka::exchange

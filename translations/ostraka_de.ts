@@ -17,14 +17,14 @@
       <translation>Einlesen</translation>
     </message>
     <message>
-      <source>Import nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nichts einlesen</translation>
-    </message>
-    <message>
       <source>Which bag do the sherds of %1 come from?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aus welchem Beutel stammen die Scherben von %1?</translation>
+    </message>
+    <message>
+      <source>Cancel import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Import abbrechen</translation>
     </message>
 </context>
 <context>
@@ -32,7 +32,7 @@
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf dem Datenträger sind nur noch %1 MB frei; eine Ladung braucht mehr. Nichts ist verloren: Platz schaffen, dann weitermachen.</translation>
+      <translation>Auf dem Datenträger sind nur noch %1 MB frei; ein Durchgang braucht mehr. Nichts ist verloren: Platz schaffen, dann weitermachen.</translation>
     </message>
     <message>
       <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
@@ -48,14 +48,14 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Während die Ladung berechnet wurde, wurden Paare entschieden oder Masken ausgebessert; dafür noch einmal berechnen.</translation>
-    </message>
-    <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
+      <translation>%1: diese Nummer wurde auf dem Teller getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Während der Durchgang berechnet wurde, wurden Paare entschieden oder Masken bearbeitet. Dafür neu verarbeiten.</translation>
     </message>
 </context>
 <context>
@@ -74,11 +74,6 @@
       <source>state</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zustand</translation>
-    </message>
-    <message>
-      <source>void because</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ungültig, weil</translation>
     </message>
     <message>
       <source>site</source>
@@ -196,19 +191,9 @@
       <translation>Breite, mm</translation>
     </message>
     <message>
-      <source>thickness least, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wandstärke kleinste, mm</translation>
-    </message>
-    <message>
       <source>thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wandstärke, mm</translation>
-    </message>
-    <message>
-      <source>thickness most, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wandstärke größte, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
@@ -219,11 +204,6 @@
       <source>volume, mm³</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Volumen, mm³</translation>
-    </message>
-    <message>
-      <source>not seen, %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>nicht gesehen, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
@@ -243,7 +223,7 @@
     <message>
       <source>batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladung</translation>
+      <translation>Durchgang</translation>
     </message>
     <message>
       <source>note</source>
@@ -265,18 +245,38 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rückseite</translation>
     </message>
+    <message>
+      <source>reason voided</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grund der Ungültigkeit</translation>
+    </message>
+    <message>
+      <source>minimum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kleinste Wandstärke, mm</translation>
+    </message>
+    <message>
+      <source>maximum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>größte Wandstärke, mm</translation>
+    </message>
+    <message>
+      <source>unseen surface, %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nicht gesehene Fläche, %</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
     <message>
-      <source>The memory does not suffice; close other programs and try again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Speicher reicht nicht; andere Programme schließen und noch einmal versuchen.</translation>
-    </message>
-    <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Fehler des Programms; bitte mit dem Protokoll melden (%1).</translation>
+    </message>
+    <message>
+      <source>Not enough memory. Close other programs and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zu wenig Speicher. Andere Programme schließen und noch einmal versuchen.</translation>
     </message>
 </context>
 <context>
@@ -451,11 +451,6 @@
       <translation>ungültig</translation>
     </message>
     <message>
-      <source>draft</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entwurf</translation>
-    </message>
-    <message>
       <source>on a scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>auf der Waage</translation>
@@ -513,17 +508,12 @@
     <message>
       <source>The printer or file could not be finished; is the disk full?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Druck oder die Datei wurde nicht fertig; ist die Platte voll?</translation>
+      <translation>Der Druck oder die Datei wurde nicht fertig; ist der Datenträger voll?</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 und %2 passen beide zu %3.</translation>
-    </message>
-    <message>
-      <source>Another partner fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderer Partner passt fast ebenso gut.</translation>
     </message>
     <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
@@ -554,31 +544,6 @@
       <source>The faces cross: %1 of the front lies behind the back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Flächen durchdringen sich: %1 der Vorderseite liegen hinter der Rückseite.</translation>
-    </message>
-    <message>
-      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die beiden Scans haben fast keine gemeinsame Bruchkante; nur die Umrisse verbinden sie.</translation>
-    </message>
-    <message>
-      <source>The broken edges do not fit: %1 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Bruchkanten passen nicht: %1 Abstand.</translation>
-    </message>
-    <message>
-      <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Rand legt die Lage kaum fest: auf %1 ungewiss.</translation>
-    </message>
-    <message>
-      <source>A place %1 along the rim fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Stelle %1 weiter am Rand passt fast ebenso gut.</translation>
-    </message>
-    <message>
-      <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ränder lassen sich nicht vergleichen; nur die Umrisse verbinden diese Seiten.</translation>
     </message>
     <message>
       <source>shoot again</source>
@@ -659,11 +624,6 @@
       <translation>Entschieden von %1 am %2, von Hand gedreht.</translation>
     </message>
     <message>
-      <source>The rims hardly meet: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ränder treffen sich kaum: %1 davon.</translation>
-    </message>
-    <message>
       <source>by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>von Hand</translation>
@@ -674,54 +634,9 @@
       <translation>Anfangspunkt</translation>
     </message>
     <message>
-      <source>settled</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>eingerastet</translation>
-    </message>
-    <message>
-      <source>Turned by hand: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von Hand gedreht: %1 der Ränder treffen sich.</translation>
-    </message>
-    <message>
       <source>Turned by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Von Hand gedreht.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderer Anfangspunkt wird probiert: %1 der Ränder treffen sich.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderer Anfangspunkt wird probiert.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims: %1 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durch die Ränder eingerastet: %1 davon treffen sich.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durch die Ränder eingerastet.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wird probiert: %2.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2, rims %3 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wird probiert: %2, Ränder %3 auseinander.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2; its rims do not meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wird probiert: %2; die Ränder treffen sich nicht.</translation>
     </message>
     <message>
       <source>%1 decided for %2.</source>
@@ -897,9 +812,99 @@
         <translation>%1 (berechnet %2)</translation>
     </message>
     <message>
-        <source>The two scans share only %1 of the broken edge.</source>
+        <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Die beiden Scans haben nur %1 der Bruchkante gemeinsam.</translation>
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>noch keine Nummer</translation>
+    </message>
+    <message>
+      <source>Another partner fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Partner passt fast ebenso gut.</translation>
+    </message>
+    <message>
+      <source>The two scans share almost no fracture; only their outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die beiden Scans haben fast keinen gemeinsamen Bruch; nur die Umrisse passen.</translation>
+    </message>
+    <message>
+      <source>The fractures do not fit: %1 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Brüche passen nicht: %1 Abstand.</translation>
+    </message>
+    <message>
+      <source>The fracture barely fixes the position: uncertain by %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Bruch legt die Lage kaum fest: auf %1 ungewiss.</translation>
+    </message>
+    <message>
+      <source>A position %1 along the contour fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Lage %1 weiter am Umriss passt fast ebenso gut.</translation>
+    </message>
+    <message>
+      <source>The fractures cannot be compared; only the outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Brüche lassen sich nicht vergleichen; nur die Umrisse passen.</translation>
+    </message>
+    <message>
+      <source>The fractures barely touch: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Brüche berühren sich kaum: %1 davon.</translation>
+    </message>
+    <message>
+      <source>refined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verfeinert</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Hand gedreht: %1 der Brüche berühren sich.</translation>
+    </message>
+    <message>
+      <source>Trying another start point: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Anfangspunkt wird probiert: %1 der Brüche berühren sich.</translation>
+    </message>
+    <message>
+      <source>Trying another start point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Anfangspunkt wird probiert.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures: %1 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nach den Brüchen verfeinert: %1 davon berühren sich.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nach den Brüchen verfeinert.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird probiert: %2.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2, fractures %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird probiert: %2, Brüche %3 auseinander.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2; its fractures do not touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird probiert: %2; die Brüche berühren sich nicht.</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -941,43 +946,17 @@
     <message>
       <source>Batch %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladung %1</translation>
+      <translation>Durchgang %1</translation>
     </message>
     <message>
       <source>Warning: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Warnung: %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1 ist berechnet: eine Scherbe.</numerusform>
-        <numerusform>%1 ist berechnet: %n Scherben.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>You stopped it. What was computed so far is kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von Ihnen angehalten. Was schon berechnet ist, bleibt.</translation>
-    </message>
-    <message>
-      <source>You took it out of the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von Ihnen aus der Warteschlange genommen.</translation>
-    </message>
     <message>
       <source>again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>noch einmal</translation>
-    </message>
-    <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Angehalten; eine Ladung wartet.</numerusform>
-        <numerusform>Angehalten; %n Ladungen warten.</numerusform>
-      </translation>
     </message>
     <message>
       <source>%1: paused</source>
@@ -1011,24 +990,14 @@
       <translation>%1 wartet auf den Entwurf von %2.</translation>
     </message>
     <message>
-      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 wurde angestoßen: Sie verfehlt die Marken um %2 px, %3 mm neben dem Ort ihrer Kalibrierung.</translation>
-    </message>
-    <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Für diese Ladung wurden die Kameras neu gefunden; kalibrieren Sie den Messplatz neu (C).</translation>
-    </message>
-    <message>
-      <source>It did not come to its end; compute it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Berechnung kam nicht zu ihrem Ende; noch einmal berechnen.</translation>
+      <translation>Für diesen Durchgang wurden die Kameras neu gefunden; kalibrieren Sie den Messplatz neu (C).</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von Ihnen beiseitegelegt. Die Fotos bleiben; R nimmt die Ladung wieder auf.</translation>
+      <translation>Von Ihnen beiseitegelegt. Die Fotos bleiben; R nimmt den Durchgang wieder auf.</translation>
     </message>
     <message>
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
@@ -1038,7 +1007,7 @@
     <message>
       <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1; die Nummer %2 wurde auf seiner Platte getippt, und keine seiner Scherben hat sie</translation>
+      <translation>%1; die Nummer %2 wurde auf seinem Teller getippt, und keine seiner Scherben hat sie</translation>
     </message>
     <message numerus="yes">
       <source>%1; %n photographed again since</source>
@@ -1141,6 +1110,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; gefügt auf höchstens %2 mm</translation>
     </message>
+    <message numerus="yes">
+      <source>%1 is ready: %n sherd(s).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 ist fertig: eine Scherbe.</numerusform>
+        <numerusform>%1 ist fertig: %n Scherben.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>You cancelled it. Finished stages are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Ihnen abgebrochen. Fertige Schritte sind gespeichert.</translation>
+    </message>
+    <message>
+      <source>You removed it from the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Ihnen aus der Warteschlange genommen.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) queued.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Angehalten; ein Durchgang wartet.</numerusform>
+        <numerusform>Angehalten; %n Durchgänge warten.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 wurde angestoßen: Sie verfehlt die Marken um %2 px, %3 mm neben dem Ort ihrer Kalibrierung.</translation>
+    </message>
+    <message>
+      <source>It was interrupted. Reprocess it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Berechnung wurde unterbrochen. Neu verarbeiten.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
@@ -1220,21 +1225,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vorschau einer Änderung</translation>
     </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>noch keine Nummer</translation>
-    </message>
-    <message>
-      <source>refused: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>abgelehnt: %1</translation>
-    </message>
-    <message>
-      <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ändern sich, %2 bleiben, wie sie sind, %3 werden abgelehnt.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1247,11 +1237,6 @@
       <source>Progress of the changes</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fortschritt der Änderungen</translation>
-    </message>
-    <message>
-      <source>Stop and take back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anhalten und zurücknehmen</translation>
     </message>
     <message>
         <source>Assign numbers</source>
@@ -1271,14 +1256,24 @@
             <numerusform>%n Werte müssen bestätigt werden.</numerusform>
         </translation>
     </message>
+    <message>
+      <source>rejected: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ändern sich, %2 bleiben, wie sie sind, %3 werden abgelehnt.</translation>
+    </message>
+    <message>
+      <source>Cancel and undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abbrechen und zurücknehmen</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-    <message>
-      <source>Another back …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Andere Rückseite …</translation>
-    </message>
     <message>
       <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1311,6 +1306,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>kein Kontakt</translation>
     </message>
+    <message>
+      <source>Another back…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Andere Rückseite …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1341,14 +1341,9 @@
       <source>%1: %n file(s) imported; it is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1: eine Datei eingelesen; die Ladung ist in der Warteschlange.</numerusform>
-        <numerusform>%1: %n Dateien eingelesen; die Ladung ist in der Warteschlange.</numerusform>
+        <numerusform>%1: eine Datei eingelesen; der Durchgang ist in der Warteschlange.</numerusform>
+        <numerusform>%1: %n Dateien eingelesen; der Durchgang ist in der Warteschlange.</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Stop the table</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tisch anhalten</translation>
     </message>
     <message>
       <source>Photograph again</source>
@@ -1366,11 +1361,6 @@
       <translation>Scans einlesen…</translation>
     </message>
     <message>
-      <source>Another rig…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anderer Messplatz…</translation>
-    </message>
-    <message>
       <source>Camera %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1</translation>
@@ -1379,16 +1369,6 @@
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aufnahme</translation>
-    </message>
-    <message>
-      <source>The picture is on its way.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Bild ist unterwegs.</translation>
-    </message>
-    <message>
-      <source>Look at this first</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Erst hierauf sehen</translation>
     </message>
     <message>
       <source>R</source>
@@ -1411,11 +1391,6 @@
       <translation>Nummern der Scherben eingeben</translation>
     </message>
     <message>
-      <source>Say how many sherds lie there</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sagen, wie viele Scherben da liegen</translation>
-    </message>
-    <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Projekt fotografiert mit keinem eigenen, kalibrierten Messplatz.</translation>
@@ -1424,16 +1399,6 @@
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Messplatz ist nach %1 kalibriert; die Kalibrierung davor liegt als %2.</translation>
-    </message>
-    <message>
-      <source>The import is stopped; nothing was left behind.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Einlesen ist angehalten; nichts ist liegen geblieben.</translation>
-    </message>
-    <message>
-      <source>Import them all the same</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Trotzdem importieren</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1448,17 +1413,12 @@
     <message>
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Ladung beiseitelegen</translation>
+      <translation>Diesen Durchgang beiseitelegen</translation>
     </message>
     <message>
       <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde eingelesen. Um alle zu haben, alle einlesen und %1 in der Warteschlange beiseitelegen.</translation>
-    </message>
-    <message>
-      <source>Take this side once more?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Seite noch einmal aufnehmen?</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1471,24 +1431,74 @@
       <translation>Nicht so, wie die Scherben dieses Beutels nummeriert werden: %1. Tippen Sie sie neu ein (N, oder später im Katalog), oder sagen Sie, dass sie stimmen.</translation>
     </message>
     <message>
-      <source>They are right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sie stimmen</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>OK</translation>
     </message>
     <message>
-        <source>The rig that worked before stays in use.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die bisherige Anlage bleibt in Gebrauch.</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+      <source>Stop turntable</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Drehteller anhalten</translation>
+    </message>
+    <message>
+      <source>Change rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messplatz wechseln …</translation>
+    </message>
+    <message>
+      <source>Folder of a batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner eines Durchgangs</translation>
+    </message>
+    <message>
+      <source>Loading picture…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild wird geladen …</translation>
+    </message>
+    <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erst dies prüfen</translation>
+    </message>
+    <message>
+      <source>Type how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zahl der Scherben eingeben</translation>
+    </message>
+    <message>
+      <source>Import cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Import abgebrochen. Nichts blieb zurück.</translation>
+    </message>
+    <message>
+      <source>Import anyway</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Trotzdem importieren</translation>
+    </message>
+    <message>
+      <source>Photograph this side again?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Seite noch einmal aufnehmen?</translation>
+    </message>
+    <message>
+      <source>Keep these numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern behalten</translation>
+    </message>
+    <message>
+        <source>%1 The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 Die bisherige Anlage bleibt in Gebrauch.</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anhalten</translation>
     </message>
 </context>
 <context>
@@ -1499,11 +1509,6 @@
       <translation>Der Messplatz wird geöffnet</translation>
     </message>
     <message>
-      <source>%1 goes on where it was.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 geht weiter, wo es war.</translation>
-    </message>
-    <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aufnahmen von %1</translation>
@@ -1512,19 +1517,6 @@
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bitte den Auslöser von Kamera %1 drücken.</translation>
-    </message>
-    <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Die bisherige Aufnahme dieser Seite ist gesichert.</numerusform>
-        <numerusform>Die %n bisherigen Aufnahmen dieser Seite sind gesichert.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>Camera %1 at stop %2: %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1, Halt %2: %3</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1577,21 +1569,6 @@
       <translation>Der Teller darf abgeräumt werden.</translation>
     </message>
     <message>
-      <source>Look at the plate before you clear it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vor dem Abräumen den Teller ansehen</translation>
-    </message>
-    <message>
-      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vorderseite oben, einen Finger breit Abstand, die Marken am Rand frei.</translation>
-    </message>
-    <message>
-      <source>Hands off the table. Esc stops it at once.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hände weg vom Tisch. Esc hält ihn sofort an.</translation>
-    </message>
-    <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Verschieben ist erlaubt, Vertauschen auch, Verlieren nicht.</translation>
@@ -1599,12 +1576,7 @@
     <message>
       <source>%1 is in the queue; the next batch is one key away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ist in der Warteschlange; die nächste Ladung ist eine Taste entfernt.</translation>
-    </message>
-    <message>
-      <source>Space goes on all the same, R photographs the backs again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Leertaste: trotzdem weiter. R: Rückseiten noch einmal aufnehmen.</translation>
+      <translation>%1 ist in der Warteschlange; der nächste Durchgang ist eine Taste entfernt.</translation>
     </message>
     <message>
       <source>Done</source>
@@ -1629,12 +1601,7 @@
     <message>
       <source>Next batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nächste Ladung</translation>
-    </message>
-    <message>
-      <source>It is right: into the queue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es stimmt: in die Warteschlange</translation>
+      <translation>Nächster Durchgang</translation>
     </message>
     <message>
       <source>One moment</source>
@@ -1658,14 +1625,6 @@
       <source>Front %1, back %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vorn %1, hinten %2</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Eine Aufnahme ist gesichert</numerusform>
-        <numerusform>%n Aufnahmen sind gesichert</numerusform>
-      </translation>
     </message>
     <message>
       <source>This camera shows no live picture.</source>
@@ -1694,11 +1653,6 @@
       <source>%1 reaches out of the picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ragt aus dem Bild</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marken %1 von %2</translation>
     </message>
     <message>
       <source>%1 % of the sherds is too dark</source>
@@ -1734,16 +1688,6 @@
       <translation>Es wird gesucht, was die Kamera festhält</translation>
     </message>
     <message>
-      <source>Making the desktop let go of the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Desktop soll die Kamera loslassen</translation>
-    </message>
-    <message>
-      <source>Make the desktop let go</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera vom Desktop lösen</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie haben %1 Scherben gezählt, die Fotos zeigen %2: Suchen Sie eine, die verdeckt ist, eine andere berührt oder gar nicht hingelegt wurde.</translation>
@@ -1752,16 +1696,6 @@
       <source>You counted %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie haben %1 gezählt</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2, %3 are needed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marken %1 von %2, nötig sind %3</translation>
-    </message>
-    <message>
-      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ihre Scherben stehen in der Durchsicht (Strg+3): Sehen Sie nach, solange sie noch hier liegen</translation>
     </message>
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
@@ -1809,11 +1743,6 @@
         <translation>Die virtuelle Anlage wendet die Scherben</translation>
     </message>
     <message>
-        <source>The table stands still. Saved photographs are kept.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Der Drehteller steht. Gespeicherte Fotos bleiben erhalten.</translation>
-    </message>
-    <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Von Hand ist nichts zu tun: Rückseiten aufnehmen.</translation>
@@ -1848,6 +1777,87 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Beleuchtung OK</translation>
     </message>
+    <message>
+      <source>%1 resumes where it stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 geht weiter, wo es aufhörte.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Die bisherige Aufnahme dieser Seite ist gespeichert.</numerusform>
+        <numerusform>Die %n bisherigen Aufnahmen dieser Seite sind gespeichert.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at position %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, Position %2: %3</translation>
+    </message>
+    <message>
+      <source>Check the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vor dem Abräumen den Teller ansehen</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite oben, einen Finger breit Abstand, die Marken am Rand frei.</translation>
+    </message>
+    <message>
+      <source>Hands off the turntable. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hände weg vom Drehteller. Esc hält ihn sofort an.</translation>
+    </message>
+    <message>
+      <source>Space accepts anyway, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leertaste: trotzdem weiter. R: Rückseiten noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>Accept and queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annehmen und einreihen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) saved</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Aufnahme gespeichert</numerusform>
+        <numerusform>%n Aufnahmen gespeichert</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marken %1 von %2</translation>
+    </message>
+    <message>
+      <source>Releasing the camera from the desktop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera wird vom Desktop freigegeben</translation>
+    </message>
+    <message>
+      <source>Release camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera freigeben</translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2, %3 needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marken %1 von %2, nötig sind %3</translation>
+    </message>
+    <message>
+      <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre Scherben sind in der Prüfung (Strg+3): Sehen Sie sie an, solange sie noch hier liegen</translation>
+    </message>
+    <message>
+        <source>The turntable stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Der Drehteller steht. Gespeicherte Fotos bleiben erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -1867,7 +1877,7 @@
     <message>
       <source>Export these</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese ausgeben</translation>
+      <translation>Diese exportieren</translation>
     </message>
     <message>
       <source>Your initials</source>
@@ -1915,14 +1925,9 @@
       <translation>%1 eingelesen: %2</translation>
     </message>
     <message>
-      <source>Import …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen …</translation>
-    </message>
-    <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nummern, Befunde und Beschreibungen aus einer Tabelle, oder eine Ausgabe (%1)</translation>
+      <translation>Nummern, Befunde und Beschreibungen aus einer Tabelle, oder einem Export (%1)</translation>
     </message>
     <message>
       <source>About what is chosen</source>
@@ -1958,11 +1963,6 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Einlesen von %1 brach nach %2 von %3 Zeilen ab; diese sind vollständig. Für den Rest noch einmal einlesen.</translation>
-    </message>
-    <message>
-      <source>Do not tell this again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das nicht wieder melden</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -2015,14 +2015,19 @@
         <translation>Eine ungültige Scherbe erhält kein Etikett, keine Zeichnung und keinen Platz auf einem Teller, und ihre Nummer wird nie wieder vergeben. Ist %1 ungültig: „%2“?</translation>
     </message>
     <message>
-        <source>no number yet</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>noch ohne Nummer</translation>
+      <source>Import…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importieren …</translation>
     </message>
     <message>
-        <source>Yes, it is void</source>
+      <source>Dismiss</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das nicht wieder melden</translation>
+    </message>
+    <message>
+        <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ja, sie ist ungültig</translation>
+        <translation>Für ungültig erklären</translation>
     </message>
 </context>
 <context>
@@ -2048,11 +2053,6 @@
       <translation>Wie Oberflächen gezeichnet werden</translation>
     </message>
     <message>
-      <source>Light and shade of the form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Licht und Schatten der Form</translation>
-    </message>
-    <message>
       <source>With paint and slip</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mit Bemalung und Engobe</translation>
@@ -2061,21 +2061,6 @@
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ob es ein Randstück ist</translation>
-    </message>
-    <message>
-      <source>As the parts say, or as is likely</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wie es die Teile sagen, oder wie es wahrscheinlich ist</translation>
-    </message>
-    <message>
-      <source>It is a rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es ist ein Randstück</translation>
-    </message>
-    <message>
-      <source>It is no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es ist kein Randstück</translation>
     </message>
     <message>
       <source>Scale</source>
@@ -2098,16 +2083,6 @@
       <translation>Durchmesser eintragen</translation>
     </message>
     <message>
-      <source>Save …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Speichern …</translation>
-    </message>
-    <message>
-      <source>Print …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Drucken …</translation>
-    </message>
-    <message>
       <source>Print the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zeichnung drucken</translation>
@@ -2123,16 +2098,6 @@
       <translation>Anhalten</translation>
     </message>
     <message>
-      <source>The sheet before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Blatt davor</translation>
-    </message>
-    <message>
-      <source>The next sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das nächste Blatt</translation>
-    </message>
-    <message>
       <source>What the drawing says</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was die Zeichnung sagt</translation>
@@ -2143,22 +2108,9 @@
       <translation>Zeichnungen</translation>
     </message>
     <message>
-      <source>Stopped; nothing was drawn.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Angehalten; nichts wurde gezeichnet.</translation>
-    </message>
-    <message>
       <source>A sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Blatt</translation>
-    </message>
-    <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Eine Scherbe wird gezeichnet …</numerusform>
-        <numerusform>%n Scherben werden gezeichnet …</numerusform>
-      </translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
@@ -2223,23 +2175,66 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zeichnung geht an den Drucker; drucken Sie mit 100 %.</translation>
     </message>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schattierte Form</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Automatisch</translation>
+    </message>
+    <message>
+      <source>Rim sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Randstück</translation>
+    </message>
+    <message>
+      <source>No rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Rand</translation>
+    </message>
+    <message>
+      <source>Save…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Speichern …</translation>
+    </message>
+    <message>
+      <source>Print…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Drucken …</translation>
+    </message>
+    <message>
+      <source>Previous sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Voriges Blatt</translation>
+    </message>
+    <message>
+      <source>Next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nächstes Blatt</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgebrochen. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe wird gezeichnet …</numerusform>
+        <numerusform>%n Scherben werden gezeichnet …</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Umfang der Ausgabe</translation>
-    </message>
-    <message>
-      <source>Counting …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wird gezählt …</translation>
-    </message>
-    <message>
-      <source>No sherd fits; choose others.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine Scherbe passt; wählen Sie andere.</translation>
+      <translation>Umfang des Exports</translation>
     </message>
     <message>
       <source>less than a minute</source>
@@ -2299,12 +2294,22 @@
     <message>
       <source>Export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ausgabe</translation>
+      <translation>Export</translation>
     </message>
     <message>
-      <source>Stopped; nothing was left behind.</source>
+      <source>Counting…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Angehalten; nichts blieb zurück.</translation>
+      <translation>Wird gezählt …</translation>
+    </message>
+    <message>
+      <source>No sherds match this selection.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Scherben passen zu dieser Auswahl.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgebrochen. Nichts blieb zurück.</translation>
     </message>
 </context>
 <context>
@@ -2317,7 +2322,7 @@
     <message>
       <source>Export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ausgabe</translation>
+      <translation>Export</translation>
     </message>
     <message>
       <source>What</source>
@@ -2332,7 +2337,7 @@
     <message>
       <source>Filter of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Filter für die Ausgabe</translation>
+      <translation>Filter für den Export</translation>
     </message>
     <message>
       <source>context:0012</source>
@@ -2377,27 +2382,17 @@
     <message>
       <source>New folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Neuer Ordner für die Ausgabe</translation>
-    </message>
-    <message>
-      <source>Choose …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wählen …</translation>
+      <translation>Neuer Ordner für den Export</translation>
     </message>
     <message>
       <source>Progress of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fortschritt der Ausgabe</translation>
+      <translation>Fortschritt des Exports</translation>
     </message>
     <message>
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-      <source>Where shall the folder be?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wo soll der Ordner sein?</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2428,11 +2423,6 @@
       <translation>1 : 2</translation>
     </message>
     <message>
-      <source>as fits A4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>wie es auf A4 passt</translation>
-    </message>
-    <message>
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabellen (ODS): LibreOffice, Excel</translation>
@@ -2453,24 +2443,19 @@
       <translation>Von PLY, GLB und OBJ: Mit weniger Dreiecken sind die Dateien um ein Vielfaches kleiner. Wie weit sie abweichen, wird gemessen und steht in jeder.</translation>
     </message>
     <message>
-      <source>lighter, to %1 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>leichter, auf %1 mm</translation>
-    </message>
-    <message>
       <source>Stop the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ausgabe anhalten</translation>
+      <translation>Export abbrechen</translation>
     </message>
     <message>
       <source>Export: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ausgabe: %1</translation>
+      <translation>Export: %1</translation>
     </message>
     <message>
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ausgabe ist nicht fertig, und nichts davon bliebe. Noch einmal schließen, um sie abzubrechen.</translation>
+      <translation>Der Export ist nicht fertig, und nichts davon bliebe. Noch einmal schließen, um ihn abzubrechen.</translation>
     </message>
     <message>
         <source>Matching the filter</source>
@@ -2502,6 +2487,26 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ausgewählte Scherben</translation>
     </message>
+    <message>
+      <source>Choose…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen …</translation>
+    </message>
+    <message>
+      <source>Folder for the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner für den Export</translation>
+    </message>
+    <message>
+      <source>fit to A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>auf A4 eingepasst</translation>
+    </message>
+    <message>
+      <source>simplified, within %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>vereinfacht, auf %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2520,11 +2525,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wörter werden überall gesucht; auch ware:grey, Wandstärke&gt;6, -burnt, Bemerkung:* gehen.</translation>
     </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Bedingung %1 wegnehmen</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2532,6 +2532,11 @@
         <numerusform>%n Scherbe</numerusform>
         <numerusform>%n Scherben</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Remove the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bedingung %1 entfernen</translation>
     </message>
 </context>
 <context>
@@ -2572,7 +2577,7 @@
     <message>
       <source>Room on the disk</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Platz auf der Platte</translation>
+      <translation>Platz auf dem Datenträger</translation>
     </message>
     <message>
       <source>Rig: %1</source>
@@ -2583,8 +2588,8 @@
       <source>Disk: room for %n batch(es)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Platte: Platz für eine Ladung</numerusform>
-        <numerusform>Platte: Platz für %n Ladungen</numerusform>
+        <numerusform>Datenträger: Platz für einen Durchgang</numerusform>
+        <numerusform>Datenträger: Platz für %n Durchgänge</numerusform>
       </translation>
     </message>
 </context>
@@ -2631,14 +2636,14 @@
       <translation>Apache-Lizenz 2.0. Es benutzt unter anderem Qt (LGPL 3), VTK und OpenCV; die Datei LICENSE und das README nennen alle.</translation>
     </message>
     <message>
-      <source>Nothing leaves this computer: there is no network in it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nichts verlässt diesen Rechner: es benutzt kein Netz.</translation>
-    </message>
-    <message>
       <source>The manual is in English.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Handbuch gibt es nur auf Englisch.</translation>
+    </message>
+    <message>
+      <source>Nothing leaves this computer: the program uses no network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nichts verlässt diesen Rechner: Das Programm benutzt kein Netz.</translation>
     </message>
 </context>
 <context>
@@ -2649,34 +2654,9 @@
       <translation>neu</translation>
     </message>
     <message>
-      <source>changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>verändert</translation>
-    </message>
-    <message>
-      <source>refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>abgelehnt</translation>
-    </message>
-    <message>
-      <source>as it is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>wie es ist</translation>
-    </message>
-    <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In den Katalog einlesen</translation>
-    </message>
-    <message>
-      <source>A table (CSV) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Tabelle (CSV) …</translation>
-    </message>
-    <message>
-      <source>An export folder …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Ausgabeordner …</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2684,19 +2664,9 @@
       <translation>Fundorte, Schnitte, Befunde und Beutel anlegen, die es noch nicht gibt</translation>
     </message>
     <message>
-      <source>What each row would do</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was jede Zeile bewirken würde</translation>
-    </message>
-    <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fortschritt des Einlesens</translation>
-    </message>
-    <message>
-      <source>Save what is refused …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abgelehntes speichern …</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2711,17 +2681,7 @@
     <message>
       <source>Which export?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Welche Ausgabe?</translation>
-    </message>
-    <message>
-      <source>Save what is refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abgelehntes speichern</translation>
-    </message>
-    <message>
-      <source>refused.csv</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>abgelehnt.csv</translation>
+      <translation>Welcher Export?</translation>
     </message>
     <message>
       <source>Tables (*.csv)</source>
@@ -2734,31 +2694,6 @@
       <translation>Gespeichert: %1</translation>
     </message>
     <message>
-      <source>line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeile</translation>
-    </message>
-    <message>
-      <source>what happens</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>was geschieht</translation>
-    </message>
-    <message>
-      <source>why not</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>warum nicht</translation>
-    </message>
-    <message>
-      <source>Looking at it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wird angesehen …</translation>
-    </message>
-    <message>
-      <source>Entered: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eingetragen: %1</translation>
-    </message>
-    <message>
       <source>Close</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Schließen</translation>
@@ -2767,19 +2702,6 @@
       <source>Stop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anhalten</translation>
-    </message>
-    <message>
-      <source>Take nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nichts übernehmen</translation>
-    </message>
-    <message numerus="yes">
-      <source>Enter %n row(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Eine Zeile eintragen</numerusform>
-        <numerusform>%n Zeilen eintragen</numerusform>
-      </translation>
     </message>
     <message>
       <source>Keep the other versions</source>
@@ -2822,6 +2744,89 @@
             <numerusform>%n Zeilen bestätigen</numerusform>
         </translation>
     </message>
+    <message>
+      <source>updated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verändert</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt</translation>
+    </message>
+    <message>
+      <source>unchanged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unverändert</translation>
+    </message>
+    <message>
+      <source>Table (CSV)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabelle (CSV) …</translation>
+    </message>
+    <message>
+      <source>Export folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Exportordner …</translation>
+    </message>
+    <message>
+      <source>Effect of each row</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was jede Zeile bewirken würde</translation>
+    </message>
+    <message>
+      <source>Save rejected rows…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgelehntes speichern …</translation>
+    </message>
+    <message>
+      <source>Save rejected rows</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgelehntes speichern</translation>
+    </message>
+    <message>
+      <source>rejected.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt.csv</translation>
+    </message>
+    <message>
+      <source>Line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aktion</translation>
+    </message>
+    <message>
+      <source>Reason</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grund</translation>
+    </message>
+    <message>
+      <source>Reading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+      <source>Imported: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importiert: %1</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+      <source>Import %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Zeile importieren</numerusform>
+        <numerusform>%n Zeilen importieren</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2836,27 +2841,9 @@
       <translation>Vorschau eines Einlesens</translation>
     </message>
     <message>
-      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 neu, %2 verändert, %3 unverändert, %4 abgelehnt.</translation>
-    </message>
-    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einlesen</translation>
-    </message>
-    <message>
-      <source>Stopped; nothing was entered.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Angehalten; nichts wurde eingetragen.</translation>
-    </message>
-    <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Angehalten: %n Zeile ist nicht eingetragen. Für den Rest die Tabelle noch einmal einlesen.</numerusform>
-        <numerusform>Angehalten: %n Zeilen sind nicht eingetragen. Für den Rest die Tabelle noch einmal einlesen.</numerusform>
-      </translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2865,6 +2852,24 @@
             <numerusform>Eine Zeile muss bestätigt werden.</numerusform>
             <numerusform>%n Zeilen müssen bestätigt werden.</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 neu, %2 verändert, %3 unverändert, %4 abgelehnt.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgebrochen. Nichts wurde importiert.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Abgebrochen: %n Zeile wurde nicht importiert. Für den Rest die Tabelle noch einmal importieren.</numerusform>
+        <numerusform>Abgebrochen: %n Zeilen wurden nicht importiert. Für den Rest die Tabelle noch einmal importieren.</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2960,17 +2965,12 @@
     <message>
       <source>Room on the disk</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Platz auf der Platte</translation>
+      <translation>Platz auf dem Datenträger</translation>
     </message>
     <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Berechnung wird angehalten; sie geht weiter, sobald das Projekt wieder geöffnet wird. Das Fenster schließt gleich.</translation>
-    </message>
-    <message>
-      <source>Queue: mending masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Warteschlange: Masken ausbessern</translation>
     </message>
     <message>
       <source>Undo: %1</source>
@@ -2988,16 +2988,6 @@
       <translation>Der Katalog konnte nicht kopiert werden: %1</translation>
     </message>
     <message>
-      <source>%1 (can only be read)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (nur lesbar)</translation>
-    </message>
-    <message>
-      <source>This project can only be read: look at everything; changes are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Projekt kann nur gelesen werden: alles ansehen geht, Änderungen werden abgelehnt.</translation>
-    </message>
-    <message>
         <source>%1 is ready.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 ist fertig.</translation>
@@ -3012,13 +3002,28 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Wiederholen: %1</translation>
     </message>
+    <message>
+      <source>Queue: editing masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Warteschlange: Masken bearbeiten</translation>
+    </message>
+    <message>
+      <source>%1 (read-only)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (nur lesbar)</translation>
+    </message>
+    <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt ist nur lesbar: Sie können alles ansehen, aber nichts ändern.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladung</translation>
+      <translation>Durchgang</translation>
     </message>
     <message>
       <source>Print map and labels</source>
@@ -3038,12 +3043,12 @@
     <message>
       <source>Batch %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladung %1</translation>
+      <translation>Durchgang %1</translation>
     </message>
     <message>
       <source>Batch %1, %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladung %1, %2</translation>
+      <translation>Durchgang %1, %2</translation>
     </message>
     <message>
       <source>Map and labels are sent to the printer.</source>
@@ -3068,7 +3073,7 @@
     <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Etikett für jeden Beutel drucken; sein Code gibt einer Ladung ihren Befund (Strg+Umschalt+P)</translation>
+      <translation>Ein Etikett für jeden Beutel drucken; sein Code gibt einem Durchgang seinen Befund (Strg+Umschalt+P)</translation>
     </message>
     <message>
       <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
@@ -3086,14 +3091,14 @@
     <message>
       <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Ladung wurde gescannt, nicht fotografiert: Von ihrem Teller gibt es kein Bild.</translation>
+      <translation>Dieser Durchgang wurde gescannt, nicht fotografiert: Von seinem Teller gibt es kein Bild.</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n Scherbe dieser Ladung hat noch keine Nummer: Ihr Etikett nennt die Ladung.</numerusform>
-        <numerusform>%n Scherben dieser Ladung haben noch keine Nummer: Ihre Etiketten nennen die Ladung.</numerusform>
+        <numerusform>%n Scherbe dieses Durchgangs hat noch keine Nummer: Ihr Etikett nennt den Durchgang.</numerusform>
+        <numerusform>%n Scherben dieses Durchgangs haben noch keine Nummer: Ihre Etiketten nennen den Durchgang.</numerusform>
       </translation>
     </message>
     <message>
@@ -3222,24 +3227,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>Outlines laid over each other, and their turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Umrisse übereinandergelegt, und ihre Drehwinkel</translation>
-    </message>
-    <message>
       <source>The turning angles differ by %1 rad.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Drehwinkel unterscheiden sich um %1 rad.</translation>
-    </message>
-    <message>
-      <source>outlines on each other</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Umrisse übereinander</translation>
-    </message>
-    <message>
-      <source>turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Drehwinkel</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -3250,6 +3240,21 @@
       <source>differ by %1 rad</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Unterschied %1 rad</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid, and their turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umrisse übereinandergelegt, und ihre Drehwinkel</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umrisse übereinander</translation>
+    </message>
+    <message>
+      <source>Turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Drehwinkel</translation>
     </message>
 </context>
 <context>
@@ -3268,26 +3273,6 @@
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Rückseite ist gewählt.</translation>
-    </message>
-    <message>
-      <source>The rims do not meet here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ränder treffen sich hier nicht.</translation>
-    </message>
-    <message>
-      <source>Rims %1 apart, %2 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ränder %1 auseinander, %2 davon treffen sich.</translation>
-    </message>
-    <message>
-      <source>Turned by hand; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von Hand gedreht; B lässt die Ränder einrasten.</translation>
-    </message>
-    <message>
-      <source>Start point %1; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anfangspunkt %1; B lässt die Ränder einrasten.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
@@ -3320,19 +3305,9 @@
       <translation>Beiseitelegen von %1</translation>
     </message>
     <message>
-      <source>One of the two has no back to be joined.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine der beiden hat keine Rückseite, die sich anfügen ließe.</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anfangspunkt</translation>
-    </message>
-    <message>
-      <source>settling by the rims</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einrasten der Ränder</translation>
     </message>
     <message>
       <source>turning by hand</source>
@@ -3345,11 +3320,6 @@
       <translation>Geschlossenes Modell</translation>
     </message>
     <message>
-      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Paar hat noch kein geschlossenes Modell; es entsteht, wenn die Ladung berechnet wird.</translation>
-    </message>
-    <message>
       <source>Picture of a pair</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bild eines Paars</translation>
@@ -3358,11 +3328,6 @@
       <source>More candidates</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weitere Kandidaten</translation>
-    </message>
-    <message>
-      <source>This back lies alone.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Rückseite liegt allein.</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3385,11 +3350,6 @@
       <translation>Was nur ausprobiert wurde, gibt es nicht mehr: Seine Paare wurden seither geschlossen.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert, mit Ihrem Namen; aber die Ränder von %1 und %2 treffen sich kaum: %3 davon.</translation>
-    </message>
-    <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Neuaufnahme von %1</translation>
@@ -3403,6 +3363,51 @@
         <source>splitting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Teilen von %1</translation>
+    </message>
+    <message>
+      <source>The fractures do not touch here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Brüche berühren sich hier nicht.</translation>
+    </message>
+    <message>
+      <source>Fractures %1 apart, %2 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brüche %1 auseinander, %2 davon berühren sich.</translation>
+    </message>
+    <message>
+      <source>Turned by hand; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Hand gedreht; B verfeinert die Lage.</translation>
+    </message>
+    <message>
+      <source>Start point %1; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anfangspunkt %1; B verfeinert die Lage.</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine der beiden hat keine Rückseite, die sich anfügen ließe.</translation>
+    </message>
+    <message>
+      <source>refining the fit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verfeinern der Lage</translation>
+    </message>
+    <message>
+      <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Paar hat noch kein geschlossenes Modell. Es entsteht beim Neuverarbeiten.</translation>
+    </message>
+    <message>
+      <source>This back has no partner.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Rückseite hat keinen Partner.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert, mit Ihrem Namen; aber die Brüche von %1 und %2 berühren sich kaum: %3 davon.</translation>
     </message>
 </context>
 <context>
@@ -3476,14 +3481,14 @@
       <translation>kein Beutel: noch keine Nummern</translation>
     </message>
     <message>
-      <source>site-trench-context-bag, please</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>bitte Fundort-Schnitt-Befund-Beutel</translation>
-    </message>
-    <message>
       <source>New: %1 (Esc takes it back)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neu: %1 (Esc nimmt es zurück)</translation>
+    </message>
+    <message>
+      <source>write site-trench-context-bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundort-Schnitt-Befund-Beutel schreiben</translation>
     </message>
 </context>
 <context>
@@ -3522,7 +3527,7 @@
     <message>
       <source>Batches</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladungen</translation>
+      <translation>Durchgänge</translation>
     </message>
     <message>
       <source>Log of the computation</source>
@@ -3532,7 +3537,7 @@
     <message>
       <source>No batch yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Noch keine Ladung</translation>
+      <translation>Noch kein Durchgang</translation>
     </message>
     <message>
       <source>Queue</source>
@@ -3543,8 +3548,8 @@
       <source>%n batch(es) stopped and need you</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Eine Ladung ist abgebrochen und braucht Sie</numerusform>
-        <numerusform>%n Ladungen sind abgebrochen und brauchen Sie</numerusform>
+        <numerusform>Ein Durchgang ist abgebrochen und braucht Sie</numerusform>
+        <numerusform>%n Durchgänge sind abgebrochen und brauchen Sie</numerusform>
       </translation>
     </message>
     <message>
@@ -3560,7 +3565,7 @@
     <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Kamera wurde angestoßen: Die Fotos dieser Ladung sagen, wo die Kameras jetzt stehen (C)</translation>
+      <translation>Eine Kamera wurde angestoßen: Die Fotos dieses Durchgangs sagen, wo die Kameras jetzt stehen (C)</translation>
     </message>
     <message>
         <source>Reprocess</source>
@@ -3656,11 +3661,6 @@
 <context>
     <name>ostraka::ui::Rail</name>
     <message>
-      <source>Stations</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Stationen</translation>
-    </message>
-    <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1  %2</translation>
@@ -3669,6 +3669,11 @@
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Screens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seiten</translation>
     </message>
 </context>
 <context>
@@ -3739,11 +3744,6 @@
       <translation>Beiseite</translation>
     </message>
     <message>
-      <source>The rims are compared … Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ränder werden verglichen … Esc hält an.</translation>
-    </message>
-    <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>… und das andere Ende</translation>
@@ -3751,12 +3751,7 @@
     <message>
       <source>Pairs of the batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Paare der Ladung</translation>
-    </message>
-    <message>
-      <source>The rims settle: %1. Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ränder finden sich: %1. Esc hält an.</translation>
+      <translation>Paare des Durchgangs</translation>
     </message>
     <message>
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
@@ -3843,13 +3838,23 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Eingabe</translation>
     </message>
+    <message>
+      <source>Comparing the fractures… Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Brüche werden verglichen … Esc hält an.</translation>
+    </message>
+    <message>
+      <source>Refining the fit, fracture gap %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Lage wird verfeinert, Abstand der Brüche %1. Esc hält an.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ladung</translation>
+      <translation>Durchgang</translation>
     </message>
     <message>
       <source>Your &amp;initials</source>
@@ -3867,72 +3872,19 @@
       <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-      <source>%1 waits to be computed; only what changed is done again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wartet auf die Berechnung; nur was sich geändert hat, wird neu gemacht.</translation>
-    </message>
-    <message>
-      <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert. Die Paare der neuen Stücke kommen, wenn berechnet ist.</translation>
-    </message>
-    <message>
-      <source>Taken back. Both are kept in the history.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zurückgenommen. Beides bleibt im Verlauf.</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert, mit Ihrem Namen.</translation>
     </message>
     <message>
-      <source>No pair needs your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Paar braucht Ihr Auge</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Ein Paar braucht Ihr Auge</numerusform>
-        <numerusform>%n Paare brauchen Ihr Auge</numerusform>
-      </translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durchsicht</translation>
-    </message>
-    <message>
-      <source>None of the measures of %1 is sure. %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keines der Maße von %1 ist sicher. %2</translation>
+      <translation>Prüfung</translation>
     </message>
     <message>
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelle von %1</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gesichert. Wenn gerechnet ist, hat die verbundene Scherbe keine Nummer, und %1 bleibt ohne Stück. Rückgängig trennt sie wieder.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gesichert. Wenn gerechnet ist, behält die verbundene Scherbe die Nummer %1, und %2 bleibt ohne Stück. Rückgängig trennt sie wieder.</translation>
-    </message>
-    <message>
-      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf %1 ist keine Länge bekannt: Keine Zahl und keine Länge hier ist in Millimetern.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert. Beim Berechnen geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig macht sie wieder zu einer.</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -3968,6 +3920,59 @@
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 wurde als %2 in %3 neu aufgenommen und hat nun zwei Datensätze. Einen davon im Katalog für ungültig erklären oder das Fragment hier zur Seite legen.</translation>
+    </message>
+    <message>
+      <source>%1 is queued; only what changed is reprocessed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist in der Warteschlange; nur was sich geändert hat, wird neu verarbeitet.</translation>
+    </message>
+    <message>
+      <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Die Paare der neuen Fragmente erscheinen nach dem Neuverarbeiten.</translation>
+    </message>
+    <message>
+      <source>Undone. The history keeps both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zurückgenommen. Beides bleibt im Verlauf.</translation>
+    </message>
+    <message>
+      <source>No pairs to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Paare zu prüfen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Ein Paar zu prüfen</numerusform>
+        <numerusform>%n Paare zu prüfen</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>No measurement of %1 is certain. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keines der Maße von %1 ist sicher. %2</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Nach dem Neuverarbeiten hat die verbundene Scherbe keine Nummer, und %1 kein Fragment. Rückgängig trennt sie wieder.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Nach dem Neuverarbeiten behält die verbundene Scherbe die Nummer %1, und %2 hat kein Fragment. Rückgängig trennt sie wieder.</translation>
+    </message>
+    <message>
+      <source>%1 has no scale: no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat keinen Maßstab: Keine Länge hier ist in Millimetern.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Nach dem Neuverarbeiten geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig verbindet sie wieder.</translation>
     </message>
 </context>
 <context>
@@ -4015,7 +4020,7 @@
     <message>
       <source>small: a batch in a minute or two</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>klein: eine Ladung in ein, zwei Minuten</translation>
+      <translation>klein: ein Durchgang in ein, zwei Minuten</translation>
     </message>
     <message>
       <source>normal</source>
@@ -4295,16 +4300,6 @@
       <translation>Befund</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>noch keine Nummer</translation>
-    </message>
-    <message>
-      <source>Give the number %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nummer %1 geben</translation>
-    </message>
-    <message>
       <source>added</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>hinzugefügt</translation>
@@ -4369,17 +4364,14 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>berechnet; durch den gemessenen Wert ersetzt</translation>
     </message>
+    <message>
+      <source>Assign number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummer %1 vergeben</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-    <message numerus="yes">
-      <source>number %n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Eine Scherbe nummerieren</numerusform>
-        <numerusform>%n Scherben nummerieren</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Other changes are still being saved; wait for them, or stop them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4395,11 +4387,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nummern</translation>
     </message>
-    <message>
-      <source>Stopped; nothing was changed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Angehalten; nichts wurde geändert.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4407,6 +4394,19 @@
         <numerusform>%n Scherbe bekam keine Nummer: %1</numerusform>
         <numerusform>%n Scherben bekamen keine Nummer: %1</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+      <source>numbering of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe nummerieren</numerusform>
+        <numerusform>%n Scherben nummerieren</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgebrochen. Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>
@@ -4427,11 +4427,6 @@
       <translation>nicht erfasst</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>noch keine Nummer</translation>
-    </message>
-    <message>
       <source>%1: %2, in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2, zweifelhaft</translation>
@@ -4439,7 +4434,7 @@
     <message>
       <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Der Maßstab von Ladung %2 ist zweifelhaft; ihr Bericht sagt, warum und was zu tun ist.</translation>
+      <translation>%1: Der Maßstab von Durchgang %2 ist zweifelhaft; sein Bericht sagt, warum und was zu tun ist.</translation>
     </message>
     <message>
         <source>%1: measured by hand; the computed value is kept beside it.</source>
@@ -4560,13 +4555,6 @@
       <translation>Projekte</translation>
     </message>
     <message>
-      <source>%1
-%2 is not there: find it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1
-%2 ist nicht da: suchen …</translation>
-    </message>
-    <message>
       <source>Where is %1 now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wo ist %1 jetzt?</translation>
@@ -4611,6 +4599,13 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Projekt öffnen</translation>
     </message>
+    <message>
+      <source>%1
+%2 is not there: find it…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 ist nicht da: suchen …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4620,9 +4615,9 @@
       <translation>Aufnahmen dieser Seite</translation>
     </message>
     <message>
-      <source>%1 of %2 stops are done</source>
+      <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 von %2 Halten sind fertig</translation>
+      <translation>%1 von %2 Positionen fertig</translation>
     </message>
 </context>
 <context>
@@ -4707,11 +4702,6 @@
 <context>
     <name>ostraka::ui::MaskModel</name>
     <message>
-      <source>%1, camera %2, stop %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, Kamera %2, Halt %3</translation>
-    </message>
-    <message>
       <source>Mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maske</translation>
@@ -4735,6 +4725,11 @@
       <source>paint on a mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Malen auf einer Maske</translation>
+    </message>
+    <message>
+      <source>%1, camera %2, position %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, Kamera %2, Position %3</translation>
     </message>
 </context>
 <context>
@@ -4815,7 +4810,7 @@
     <message>
         <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Blau: als Scherbe erkannt. Fehlendes als Scherbe malen, Falsches als Platte; die Masken des Programms bleiben.</translation>
+        <translation>Blau: als Scherbe erkannt. Fehlendes als Scherbe malen, Falsches als Teller; die Masken des Programms bleiben.</translation>
     </message>
 </context>
 <context>
@@ -4833,11 +4828,6 @@
 </context>
 <context>
     <name>ostraka::ui::NumberingEdit</name>
-    <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Scherbe heißt dann</translation>
-    </message>
     <message>
       <source>First number of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4862,11 +4852,6 @@
       <source>Num&amp;bers of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nummern dieses &amp;Rechners</translation>
-    </message>
-    <message>
-      <source>Number so from &amp;now on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von &amp;nun an so nummerieren</translation>
     </message>
     <message>
       <source>Numbers of the open project</source>
@@ -4901,6 +4886,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, und {n} einmal; {n:04} hat mindestens vier Ziffern</translation>
     </message>
+    <message>
+      <source>Example</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beispiel</translation>
+    </message>
+    <message>
+      <source>Use this &amp;numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese &amp;Nummerierung verwenden</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
@@ -4933,11 +4928,6 @@
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
-      <source>&amp;Save the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wörter speich&amp;ern</translation>
-    </message>
-    <message>
       <source>&amp;Words for</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Wörter für</translation>
@@ -4948,29 +4938,9 @@
       <translation>Ein Wort, das Scherben schon tragen, bleibt; ändern Sie diese zuerst.</translation>
     </message>
     <message>
-      <source>&amp;One a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eines &amp;je Zeile</translation>
-    </message>
-    <message>
       <source>Saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert.</translation>
-    </message>
-    <message>
-      <source>Words of the open project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wörter des offenen Projekts</translation>
-    </message>
-    <message>
-      <source>Words, one a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wörter, eines je Zeile</translation>
-    </message>
-    <message>
-      <source>change the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ändern der Wörter</translation>
     </message>
     <message>
       <source>condition</source>
@@ -5003,9 +4973,34 @@
       <translation>Oberfläche</translation>
     </message>
     <message>
-      <source>These words are not saved yet.</source>
+      <source>&amp;Save vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Wörter sind noch nicht gespeichert.</translation>
+      <translation>Vokabular speich&amp;ern</translation>
+    </message>
+    <message>
+      <source>&amp;One per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eines &amp;je Zeile</translation>
+    </message>
+    <message>
+      <source>Project vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vokabular des Projekts</translation>
+    </message>
+    <message>
+      <source>Terms, one per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Begriffe, einer je Zeile</translation>
+    </message>
+    <message>
+      <source>change the vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ändern des Vokabulars</translation>
+    </message>
+    <message>
+      <source>These terms are not saved yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Begriffe sind noch nicht gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -5023,7 +5018,7 @@
     <message>
       <source>How many sherds you counted onto the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wie viele Scherben Sie auf die Platte gezählt haben</translation>
+      <translation>Wie viele Scherben Sie auf den Teller gezählt haben</translation>
     </message>
     <message>
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
@@ -5281,7 +5276,7 @@
     <message>
       <source>The results of this batch are not there any more; compute it again, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ergebnisse dieser Ladung sind nicht mehr da; sie noch einmal berechnen, dann entscheiden.</translation>
+      <translation>Die Ergebnisse dieses Durchgangs sind nicht mehr da; ihn noch einmal berechnen, dann entscheiden.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -5326,7 +5321,7 @@
     <message>
       <source>No batch folder was given.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Ordner einer Ladung wurde angegeben.</translation>
+      <translation>Kein Ordner eines Durchgangs wurde angegeben.</translation>
     </message>
     <message>
       <source>The angle is no number.</source>
@@ -5466,7 +5461,7 @@
     <message>
       <source>There is no such folder; name the folder of a batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diesen Ordner gibt es nicht; den Ordner einer Ladung nennen.</translation>
+      <translation>Diesen Ordner gibt es nicht; den Ordner eines Durchgangs nennen.</translation>
     </message>
     <message>
       <source>The front side is missing; put its photographs into the folder '%1'.</source>
@@ -5481,7 +5476,7 @@
     <message>
       <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Ladung: Es fehlen die Ordner 'front' und 'back' (oder 'top_images' und 'bottom_images'); den Ordner einer Ladung nennen.</translation>
+      <translation>Das ist kein Durchgang: Es fehlen die Ordner 'front' und 'back' (oder 'top_images' und 'bottom_images'); den Ordner eines Durchgangs nennen.</translation>
     </message>
     <message>
       <source>The name is not of the form %1; this photograph is left out.</source>
@@ -5491,7 +5486,7 @@
     <message>
       <source>Another photograph has the same camera and stop; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderes Foto hat dieselbe Kamera und denselben Halt; dieses wird ausgelassen.</translation>
+      <translation>Ein anderes Foto hat dieselbe Kamera und dieselbe Position; dieses wird ausgelassen.</translation>
     </message>
     <message>
       <source>This photograph is left out.</source>
@@ -5741,32 +5736,32 @@
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ordner für die Ladung wählen oder seine Zugriffsrechte prüfen.</translation>
+      <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ordner für den Durchgang wählen oder seine Zugriffsrechte prüfen.</translation>
     </message>
     <message>
       <source>A file of this name is there already and is not overwritten; name another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; eine andere Ladung nennen.</translation>
+      <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; einen anderen Durchgang nennen.</translation>
     </message>
     <message>
       <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ladung wurde auf einem anderen Teller begonnen: mit jenem weitermachen oder eine andere Ladung beginnen.</translation>
+      <translation>Der Durchgang wurde auf einem anderen Teller begonnen: mit jenem weitermachen oder einen anderen Durchgang beginnen.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ladung wurde mit %1 Kameras und %2 Halten begonnen, nicht mit %3 und %4; einen anderen Ordner nennen.</translation>
+      <translation>Der Durchgang wurde mit %1 Kameras und %2 Positionen begonnen, nicht mit %3 und %4; einen anderen Ordner nennen.</translation>
     </message>
     <message>
       <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Foto wurde seit der Aufnahme verändert; das Original zurücklegen oder einen anderen Ordner für die Ladung nennen.</translation>
+      <translation>Das Foto wurde seit der Aufnahme verändert; das Original zurücklegen oder einen anderen Ordner für den Durchgang nennen.</translation>
     </message>
     <message>
       <source>This photograph was not taken here; name another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Foto wurde nicht hier aufgenommen; einen anderen Ordner für die Ladung nennen.</translation>
+      <translation>Dieses Foto wurde nicht hier aufgenommen; einen anderen Ordner für den Durchgang nennen.</translation>
     </message>
     <message>
       <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
@@ -5896,7 +5891,7 @@
     <message>
       <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Für eine Aufnahme kamen zwei Fotos, %1 und %2; eine Kamera je Ordner, ein Foto je Halt.</translation>
+      <translation>Für eine Aufnahme kamen zwei Fotos, %1 und %2; eine Kamera je Ordner, ein Foto je Position.</translation>
     </message>
     <message>
       <source>The camera of this serial number is not plugged in; there is: %1.</source>
@@ -6031,7 +6026,7 @@
     <message>
       <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Fotoliste von Ostraka; einen anderen Ordner für die Ladung nennen.</translation>
+      <translation>Das ist keine Fotoliste von Ostraka; einen anderen Ordner für den Durchgang nennen.</translation>
     </message>
     <message>
       <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
@@ -6066,7 +6061,7 @@
     <message>
       <source>The number of stops must lie between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Zahl der Halte muss zwischen 3 und 99 liegen.</translation>
+      <translation>Die Zahl der Positionen muss zwischen 3 und 99 liegen.</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6076,12 +6071,12 @@
     <message>
       <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Aufnahme %1 zum Wiederholen gibt es nicht: Diese Seite hat die Halte 1 bis %2 und die Kameras A bis %3.</translation>
+      <translation>Eine Aufnahme %1 zum Wiederholen gibt es nicht: Diese Seite hat die Positionen 1 bis %2 und die Kameras A bis %3.</translation>
     </message>
     <message>
       <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 dieser Ladung war %2, die hier ist %3; mit den Kameras weitermachen, die sie begonnen haben, oder einen anderen Ordner nennen.</translation>
+      <translation>Kamera %1 dieses Durchgangs war %2, die hier ist %3; mit den Kameras weitermachen, die sie begonnen haben, oder einen anderen Ordner nennen.</translation>
     </message>
     <message>
       <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
@@ -6091,7 +6086,7 @@
     <message>
       <source>Camera %1, stop %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1, Halt %2 misslang %3-mal: %4.</translation>
+      <translation>Kamera %1, Position %2 misslang %3-mal: %4.</translation>
     </message>
     <message>
       <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
@@ -6271,7 +6266,7 @@
     <message>
       <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>zu wenige Marken sind zu sehen, um den Halt zu erkennen: liegt etwas davor, ist es unscharf?</translation>
+      <translation>zu wenige Marken sind zu sehen, um die Position zu erkennen: liegt etwas davor, ist es unscharf?</translation>
     </message>
     <message>
       <source>the camera handed over an earlier photograph once more</source>
@@ -6321,22 +6316,22 @@
     <message>
       <source>The number of a batch is also the name of its folder; use letters and digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer einer Ladung ist auch der Name ihres Ordners; Buchstaben und Ziffern verwenden.</translation>
+      <translation>Die Nummer eines Durchgangs ist auch der Name seines Ordners; Buchstaben und Ziffern verwenden.</translation>
     </message>
     <message>
       <source>The uuid of a batch is not well formed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die uuid einer Ladung ist falsch geschrieben.</translation>
+      <translation>Die uuid eines Durchgangs ist falsch geschrieben.</translation>
     </message>
     <message>
       <source>There is a batch %1 already.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ladung %1 gibt es schon.</translation>
+      <translation>Den Durchgang %1 gibt es schon.</translation>
     </message>
     <message>
       <source>This batch is not in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Ladung ist nicht im Katalog.</translation>
+      <translation>Dieser Durchgang ist nicht im Katalog.</translation>
     </message>
     <message>
       <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
@@ -6401,12 +6396,12 @@
     <message>
       <source>The scan is no front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Scan ist keine Vorderseite dieser Ladung.</translation>
+      <translation>Der Scan ist keine Vorderseite dieses Durchgangs.</translation>
     </message>
     <message>
       <source>The scan is no back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Scan ist keine Rückseite dieser Ladung.</translation>
+      <translation>Der Scan ist keine Rückseite dieses Durchgangs.</translation>
     </message>
     <message>
       <source>its front has no back any more</source>
@@ -6421,7 +6416,7 @@
     <message>
       <source>The decision to be taken back is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die zurückzunehmende Entscheidung gehört nicht zu dieser Ladung.</translation>
+      <translation>Die zurückzunehmende Entscheidung gehört nicht zu diesem Durchgang.</translation>
     </message>
     <message>
       <source>A decision names a front, a back, or both.</source>
@@ -6441,7 +6436,7 @@
     <message>
       <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Entwurf aus gröberen Fotos; die Ladung noch einmal berechnen, damit die Maße gelten.</translation>
+      <translation>Das ist ein Entwurf aus gröberen Fotos; den Durchgang noch einmal berechnen, damit die Maße gelten.</translation>
     </message>
     <message>
       <source>These are no whole results of 'ostraka process'; run it again.</source>
@@ -6456,7 +6451,7 @@
     <message>
       <source>This batch is not in the catalogue any more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Ladung ist nicht mehr im Katalog.</translation>
+      <translation>Dieser Durchgang ist nicht mehr im Katalog.</translation>
     </message>
     <message>
       <source>This photograph is not in the catalogue any more.</source>
@@ -6601,7 +6596,7 @@
     <message>
       <source>The number needs the batch of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer braucht die Ladung der Scherbe, die nicht eingetragen ist.</translation>
+      <translation>Die Nummer braucht den Durchgang der Scherbe, der nicht eingetragen ist.</translation>
     </message>
     <message>
       <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
@@ -6626,7 +6621,7 @@
     <message>
       <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ladung %1 enthält das Zeichen '%2', das in der Nummer neben ihr steht.</translation>
+      <translation>Der Durchgang %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
       <source>The number %1 was given before; numbers are never used again.</source>
@@ -6811,12 +6806,12 @@
     <message>
       <source>A uuid of the export is not well formed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine uuid der Ausgabe ist falsch geschrieben.</translation>
+      <translation>Eine uuid des Exports ist falsch geschrieben.</translation>
     </message>
     <message>
       <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Entscheidung ist bei der Ladung gespeichert, aber %1 ist noch nicht im Katalog; sie wird mit den nächsten Ergebnissen eingetragen.</translation>
+      <translation>Die Entscheidung ist bei dem Durchgang gespeichert, aber %1 ist noch nicht im Katalog; sie wird mit den nächsten Ergebnissen eingetragen.</translation>
     </message>
     <message>
       <source>The field %1 comes from the program.</source>
@@ -7141,7 +7136,7 @@
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis der Dateien fehlt; das ist keine Ausgabe von Ostraka.</translation>
+      <translation>Das Verzeichnis der Dateien fehlt; das ist kein Export von Ostraka.</translation>
     </message>
     <message>
       <source>The manifest has a line that cannot be read: %1</source>
@@ -7171,12 +7166,12 @@
     <message>
       <source>A name in an export must not hold '%'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Name in einer Ausgabe darf kein '%' enthalten.</translation>
+      <translation>Ein Name in einem Export darf kein '%' enthalten.</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zwei Dateien der Ausgabe hätten denselben Namen.</translation>
+      <translation>Zwei Dateien des Exports hätten denselben Namen.</translation>
     </message>
     <message>
       <source>Somebody made a folder of this name meanwhile; choose another name.</source>
@@ -7186,7 +7181,7 @@
     <message>
       <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Ordner ist keine Ausgabe von Ostraka: bagit.txt fehlt.</translation>
+      <translation>Dieser Ordner ist kein Export von Ostraka: bagit.txt fehlt.</translation>
     </message>
     <message>
       <source>This file is not in the manifest; nothing was read.</source>
@@ -7211,7 +7206,7 @@
     <message>
       <source>This file was changed after the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei wurde nach der Ausgabe verändert; nichts wurde eingelesen.</translation>
+      <translation>Diese Datei wurde nach dem Export verändert; nichts wurde eingelesen.</translation>
     </message>
     <message>
       <source>There is no context %1; make it, or let the import make it.</source>
@@ -7281,12 +7276,12 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihre Ladung berechnen.</translation>
+      <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihren Durchgang berechnen.</translation>
     </message>
     <message>
       <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Maße ihrer Ladung sind zweifelhaft: damit auch die Größe dieser Zeichnung.</translation>
+      <translation>Die Maße ihres Durchgangs sind zweifelhaft: damit auch die Größe dieser Zeichnung.</translation>
     </message>
     <message>
       <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
@@ -7306,7 +7301,7 @@
     <message>
       <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Modell oder Bild der Scherbe %1 ist nicht das, das eingetragen wurde; ihre Ladung %2 noch einmal berechnen.</translation>
+      <translation>Dieses Modell oder Bild der Scherbe %1 ist nicht das, das eingetragen wurde; ihren Durchgang %2 noch einmal berechnen.</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -7366,7 +7361,7 @@
     <message>
       <source>These places and batches are not written as Ostraka writes them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Orte und Ladungen sind nicht so geschrieben, wie Ostraka sie schreibt.</translation>
+      <translation>Diese Orte und Durchgänge sind nicht so geschrieben, wie Ostraka sie schreibt.</translation>
     </message>
     <message>
       <source>This is no PLY file.</source>
@@ -7381,7 +7376,7 @@
     <message>
       <source>This export holds no records (JSON) of sherds; export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Ausgabe enthält keine Datensätze (JSON) von Scherben; mit ihnen neu ausgeben.</translation>
+      <translation>Dieser Export enthält keine Datensätze (JSON) von Scherben; mit ihnen neu ausgeben.</translation>
     </message>
     <message>
       <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
@@ -7391,12 +7386,12 @@
     <message>
       <source>This file is not among the files of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei ist nicht unter den Dateien der Ausgabe.</translation>
+      <translation>Diese Datei ist nicht unter den Dateien des Exports.</translation>
     </message>
     <message>
       <source>The project has another file of this name; rename the export, and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Projekt hat eine andere Datei dieses Namens; die Ausgabe umbenennen und noch einmal einlesen.</translation>
+      <translation>Das Projekt hat eine andere Datei dieses Namens; den Export umbenennen und noch einmal einlesen.</translation>
     </message>
     <message>
       <source>This is no record of a sherd (ostraka-sherd/1).</source>
@@ -7436,7 +7431,7 @@
     <message>
       <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken vom Teller brauchen mindestens 3 Fotos einer Seite; mehr Halte aufnehmen.</translation>
+      <translation>Masken vom Teller brauchen mindestens 3 Fotos einer Seite; mehr Positionen aufnehmen.</translation>
     </message>
     <message>
       <source>The photograph is not of the size that its camera has; use the original file.</source>
@@ -7456,7 +7451,7 @@
     <message>
       <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Der leere Teller von Kamera %1 zeigt den Teller an keinem der Halte; beim ersten noch einmal aufnehmen; ohne ihn maskiert</translation>
+      <translation>Masken: Der leere Teller von Kamera %1 zeigt den Teller an keiner der Positionen; bei der ersten noch einmal aufnehmen; ohne ihn maskiert</translation>
     </message>
     <message>
       <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
@@ -7591,7 +7586,7 @@
     <message>
       <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Tabelle von Kandidaten; die Ladung noch einmal berechnen, nur ihre Paare werden neu gemacht.</translation>
+      <translation>Das ist keine Tabelle von Kandidaten; den Durchgang noch einmal berechnen, nur seine Paare werden neu gemacht.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
@@ -7676,7 +7671,7 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 können zwei Scherben sein, die sich berühren, %2 und %3 der anderen Seite: in der Durchsicht zerteilen, oder auseinanderlegen und diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 können zwei Scherben sein, die sich berühren, %2 und %3 der anderen Seite: in der Prüfung zerteilen, oder auseinanderlegen und diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
@@ -7686,7 +7681,7 @@
     <message>
       <source>There are no masks of this batch yet; let it be computed first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von dieser Ladung gibt es noch keine Masken; sie erst berechnen lassen.</translation>
+      <translation>Von diesem Durchgang gibt es noch keine Masken; ihn erst berechnen lassen.</translation>
     </message>
     <message>
       <source>This file does not say how well the rig fitted.</source>
@@ -7696,7 +7691,7 @@
     <message>
       <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Kalibrierung ist von anderen Kameras als denen, mit denen die Ladung aufgenommen wurde; den Messplatz nach seinen eigenen Fotos kalibrieren.</translation>
+      <translation>Diese Kalibrierung ist von anderen Kameras als denen, mit denen der Durchgang aufgenommen wurde; den Messplatz nach seinen eigenen Fotos kalibrieren.</translation>
     </message>
     <message>
       <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
@@ -7716,7 +7711,7 @@
     <message>
       <source>The output folder holds another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ausgabeordner enthält eine andere Ladung; einen anderen Ordner wählen.</translation>
+      <translation>Der Ausgabeordner enthält einen anderen Durchgang; einen anderen Ordner wählen.</translation>
     </message>
     <message>
       <source>The output folder holds something else; name a new or empty folder.</source>
@@ -7736,7 +7731,7 @@
     <message>
       <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 und %2 wurden von Hand gepaart, aber nichts sagt, wie sie zueinander liegen; die Rückseite in der Durchsicht von Hand drehen: %3</translation>
+      <translation>%1 und %2 wurden von Hand gepaart, aber nichts sagt, wie sie zueinander liegen; die Rückseite in der Prüfung von Hand drehen: %3</translation>
     </message>
     <message>
       <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
@@ -7791,17 +7786,17 @@
     <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Halt %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Halt %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ausgabeordner liegt im Ordner der Ladung, in den nie etwas geschrieben wird; einen daneben wählen.</translation>
+      <translation>Der Ausgabeordner liegt im Ordner des Durchgangs, in den nie etwas geschrieben wird; einen daneben wählen.</translation>
     </message>
     <message>
       <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
@@ -7821,7 +7816,7 @@
     <message>
       <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Paare dieser Ladung sind noch nicht berechnet oder stammen von einem älteren Programm; die Ladung noch einmal berechnen: was fertig ist, bleibt.</translation>
+      <translation>Die Paare dieses Durchgangs sind noch nicht berechnet oder stammen von einem älteren Programm; den Durchgang noch einmal berechnen: was fertig ist, bleibt.</translation>
     </message>
     <message>
       <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
@@ -7951,7 +7946,7 @@
     <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sie nennt %1, das nicht in der Ladung ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>
+      <translation>Sie nennt %1, das nicht in dem Durchgang ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>
     </message>
     <message>
       <source>This photograph has no mask; give one for each that is to be used.</source>
@@ -8041,7 +8036,7 @@
     <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier ist nichts, wonach sich kalibrieren ließe: den Teller bei jedem Halt nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
+      <translation>Hier ist nichts, wonach sich kalibrieren ließe: den Teller an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
     </message>
     <message>
       <source>There are no pictures of the board; put them here, or into 'calib'.</source>
@@ -8071,7 +8066,7 @@
     <message>
       <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der bekannte Messplatz hat keine Kamera %1 mit Bildern von %2 x %3 Pixeln; er wird stattdessen nach dieser Ladung kalibriert.</translation>
+      <translation>Der bekannte Messplatz hat keine Kamera %1 mit Bildern von %2 x %3 Pixeln; er wird stattdessen nach diesem Durchgang kalibriert.</translation>
     </message>
     <message>
       <source>Its lens is estimated from the plate's markers instead.</source>
@@ -8101,12 +8096,12 @@
     <message>
       <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der bekannte Messplatz stimmt nicht mehr: Kamera %1 verfehlt die Marken um %2 px; die Orte der Kameras werden für diese Ladung neu geschätzt, den Messplatz neu kalibrieren.</translation>
+      <translation>Der bekannte Messplatz stimmt nicht mehr: Kamera %1 verfehlt die Marken um %2 px; die Orte der Kameras werden für diesen Durchgang neu geschätzt, den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
       <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Keine seiner %2 Marken liegt dort, wo diese Kamera sie bei diesem Halt sieht.</translation>
+      <translation>%1: Keine seiner %2 Marken liegt dort, wo diese Kamera sie an dieser Position sieht.</translation>
     </message>
     <message>
       <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
@@ -8116,7 +8111,7 @@
     <message>
       <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Keine Marke ist darauf zu sehen; zeigt es diesen Halt? Wenn nicht, noch einmal aufnehmen.</translation>
+      <translation>%1: Keine Marke ist darauf zu sehen; zeigt es diese Position? Wenn nicht, noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
@@ -8131,12 +8126,12 @@
     <message>
       <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 sieht weniger als sechs Marken des Tellers bei Halt %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
+      <translation>Kamera %1 sieht weniger als sechs Marken des Tellers an Position %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
     </message>
     <message>
       <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur %1 Halte wurden aufgenommen; mindestens vier über die ganze Umdrehung aufnehmen, damit die Achse gefunden wird.</translation>
+      <translation>Nur %1 Positionen wurden aufgenommen; mindestens vier über die ganze Umdrehung aufnehmen, damit die Achse gefunden wird.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
@@ -8311,7 +8306,7 @@
     <message>
       <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auch den Teller mit seinen Marken aufnehmen: je Kamera und Halt ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
+      <translation>Auch den Teller mit seinen Marken aufnehmen: je Kamera und Position ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
     </message>
     <message>
       <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
@@ -8701,7 +8696,7 @@
     <message>
       <source>The rig needs a camera and at least four stops; calibrate it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Messplatz braucht eine Kamera und mindestens vier Halte; ihn neu kalibrieren.</translation>
+      <translation>Der Messplatz braucht eine Kamera und mindestens vier Positionen; ihn neu kalibrieren.</translation>
     </message>
     <message>
       <source>The virtual camera has no setting %1 of %2.</source>
@@ -8721,7 +8716,7 @@
     <message>
       <source>This model is gone; compute its batch again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Modell ist nicht mehr da; seine Ladung noch einmal berechnen.</translation>
+      <translation>Dieses Modell ist nicht mehr da; seinen Durchgang noch einmal berechnen.</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8796,12 +8791,12 @@
     <message>
       <source>This batch is being photographed; it is computed when that is done.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Ladung wird gerade fotografiert; sie wird berechnet, wenn das fertig ist.</translation>
+      <translation>Dieser Durchgang wird gerade fotografiert; er wird berechnet, wenn das fertig ist.</translation>
     </message>
     <message>
       <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anpassungen an Scherben, die in der Ausgabe fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
+      <translation>Anpassungen an Scherben, die im Export fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
     </message>
     <message>
       <source>'%1' can be read as %2 or as %3; write one of the two.</source>
@@ -8816,7 +8811,7 @@
     <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ladung ist nicht zu Ende gerechnet; lassen Sie die Warteschlange sie rechnen, dann können ihre Paare angesehen werden.</translation>
+      <translation>Der Durchgang ist nicht zu Ende gerechnet; lassen Sie die Warteschlange ihn rechnen, dann können seine Paare angesehen werden.</translation>
     </message>
     <message>
       <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
@@ -9068,6 +9063,21 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Von %1 Zeilen sind %2 eingetragen; derselbe Import trägt die übrigen ein.</translation>
     </message>
+    <message>
+      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Spalte &apos;%1&apos; sagt dasselbe wie &apos;%2&apos;; ihre Werte bleiben als eigenes Feld.</translation>
+    </message>
+    <message>
+      <source>Check the drawing of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeichnung von %1 prüfen: %2</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9131,11 +9141,6 @@
         <translation>von Ihnen gewählt</translation>
     </message>
     <message>
-        <source>no field of this name; kept as a field of your own</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>kein Feld dieses Namens; als eigenes Feld behalten</translation>
-    </message>
-    <message>
         <source>Columns of the table</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Spalten der Tabelle</translation>
@@ -9171,11 +9176,6 @@
         <translation>Feld der Spalte %1</translation>
     </message>
     <message>
-        <source>leave out</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>weglassen</translation>
-    </message>
-    <message>
         <source>own field: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>eigenes Feld: %1</translation>
@@ -9184,6 +9184,16 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Einheit der Spalte %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as your own field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>kein Feld dieses Namens; als eigenes Feld behalten</translation>
+    </message>
+    <message>
+        <source>skip</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>weglassen</translation>
     </message>
 </context>
 <context>

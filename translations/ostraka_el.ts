@@ -17,14 +17,14 @@
       <translation>Εισαγωγή</translation>
     </message>
     <message>
-      <source>Import nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χωρίς εισαγωγή</translation>
-    </message>
-    <message>
       <source>Which bag do the sherds of %1 come from?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Από ποια σακούλα είναι τα όστρακα του %1;</translation>
+    </message>
+    <message>
+      <source>Cancel import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς εισαγωγή</translation>
     </message>
 </context>
 <context>
@@ -48,14 +48,14 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όσο υπολογιζόταν η παρτίδα, αποφασίστηκαν ζεύγη ή διορθώθηκαν μάσκες· υπολογίστε την ξανά γι' αυτά.</translation>
-    </message>
-    <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ο αριθμός αυτός πληκτρολογήθηκε στην πλάκα, αλλά ανήκει σε άλλο όστρακο· δείτε ποιο από τα δύο τον φέρει και δώστε στο άλλο νέο αριθμό.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όσο υπολογιζόταν η παρτίδα, αποφασίστηκαν ζεύγη ή διορθώθηκαν μάσκες· υπολογίστε την ξανά γι' αυτά.</translation>
     </message>
 </context>
 <context>
@@ -74,11 +74,6 @@
       <source>state</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κατάσταση</translation>
-    </message>
-    <message>
-      <source>void because</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>άκυρο επειδή</translation>
     </message>
     <message>
       <source>site</source>
@@ -196,19 +191,9 @@
       <translation>πλάτος, mm</translation>
     </message>
     <message>
-      <source>thickness least, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>πάχος ελάχιστο, mm</translation>
-    </message>
-    <message>
       <source>thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πάχος, mm</translation>
-    </message>
-    <message>
-      <source>thickness most, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>πάχος μέγιστο, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
@@ -219,11 +204,6 @@
       <source>volume, mm³</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>όγκος, mm³</translation>
-    </message>
-    <message>
-      <source>not seen, %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αθέατο, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
@@ -265,18 +245,38 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πίσω όψη</translation>
     </message>
+    <message>
+      <source>reason voided</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άκυρο επειδή</translation>
+    </message>
+    <message>
+      <source>minimum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάχος ελάχιστο, mm</translation>
+    </message>
+    <message>
+      <source>maximum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάχος μέγιστο, mm</translation>
+    </message>
+    <message>
+      <source>unseen surface, %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αθέατο, %</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
     <message>
-      <source>The memory does not suffice; close other programs and try again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μνήμη δεν φτάνει· κλείστε άλλα προγράμματα και δοκιμάστε ξανά.</translation>
-    </message>
-    <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό είναι σφάλμα του προγράμματος· αναφέρετέ το μαζί με το ημερολόγιο (%1).</translation>
+    </message>
+    <message>
+      <source>Not enough memory. Close other programs and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μνήμη δεν φτάνει· κλείστε άλλα προγράμματα και δοκιμάστε ξανά.</translation>
     </message>
 </context>
 <context>
@@ -451,11 +451,6 @@
       <translation>άκυρο</translation>
     </message>
     <message>
-      <source>draft</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>πρόχειρο</translation>
-    </message>
-    <message>
       <source>on a scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>με ζυγαριά</translation>
@@ -521,11 +516,6 @@
       <translation>Το %1 και το %2 ταιριάζουν και τα δύο στο %3.</translation>
     </message>
     <message>
-      <source>Another partner fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα άλλο ταίρι ταιριάζει σχεδόν εξίσου καλά.</translation>
-    </message>
-    <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πίσω όψη του δόθηκε σε άλλη μπροστινή: είναι τώρα το %1 το σωστό;</translation>
@@ -554,31 +544,6 @@
       <source>The faces cross: %1 of the front lies behind the back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι όψεις διασταυρώνονται: το %1 της μπροστινής βρίσκεται πίσω από την πίσω όψη.</translation>
-    </message>
-    <message>
-      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι δύο σαρώσεις δεν έχουν σχεδόν καμία κοινή θραύση· μόνο τα περιγράμματα τις συνδέουν.</translation>
-    </message>
-    <message>
-      <source>The broken edges do not fit: %1 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι θραύσεις δεν ταιριάζουν: απόσταση %1.</translation>
-    </message>
-    <message>
-      <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η ακμή μόλις που ορίζει τη θέση: αβεβαιότητα %1.</translation>
-    </message>
-    <message>
-      <source>A place %1 along the rim fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια θέση %1 πιο πέρα στην ακμή ταιριάζει σχεδόν εξίσου καλά.</translation>
-    </message>
-    <message>
-      <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
     </message>
     <message>
       <source>shoot again</source>
@@ -659,11 +624,6 @@
       <translation>Αποφασίστηκε από %1 στις %2, στράφηκε με το χέρι.</translation>
     </message>
     <message>
-      <source>The rims hardly meet: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές μόλις συναντιούνται: το %1.</translation>
-    </message>
-    <message>
       <source>by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>με το χέρι</translation>
@@ -674,54 +634,9 @@
       <translation>αρχικό σημείο</translation>
     </message>
     <message>
-      <source>settled</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ρυθμισμένο</translation>
-    </message>
-    <message>
-      <source>Turned by hand: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στράφηκε με το χέρι: συναντιέται το %1 των ακμών.</translation>
-    </message>
-    <message>
       <source>Turned by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στράφηκε με το χέρι.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται άλλο αρχικό σημείο: συναντιέται το %1 των ακμών.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται άλλο αρχικό σημείο.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims: %1 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ρυθμίστηκε από τις ακμές: συναντιέται το %1.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ρυθμίστηκε από τις ακμές.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται το %1: %2.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2, rims %3 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται το %1: %2, ακμές σε απόσταση %3.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2; its rims do not meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται το %1: %2· οι ακμές δεν συναντιούνται.</translation>
     </message>
     <message>
       <source>%1 decided for %2.</source>
@@ -897,9 +812,99 @@
         <translation>%1 (υπολογισμένο %2)</translation>
     </message>
     <message>
-        <source>The two scans share only %1 of the broken edge.</source>
+        <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Οι δύο σαρώσεις έχουν κοινό μόνο το %1 της θραύσης.</translation>
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς αριθμό ακόμη</translation>
+    </message>
+    <message>
+      <source>Another partner fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο ταίρι ταιριάζει σχεδόν εξίσου καλά.</translation>
+    </message>
+    <message>
+      <source>The two scans share almost no fracture; only their outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δύο σαρώσεις δεν έχουν σχεδόν καμία κοινή θραύση· μόνο τα περιγράμματα τις συνδέουν.</translation>
+    </message>
+    <message>
+      <source>The fractures do not fit: %1 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι θραύσεις δεν ταιριάζουν: απόσταση %1.</translation>
+    </message>
+    <message>
+      <source>The fracture barely fixes the position: uncertain by %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ακμή μόλις που ορίζει τη θέση: αβεβαιότητα %1.</translation>
+    </message>
+    <message>
+      <source>A position %1 along the contour fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια θέση %1 πιο πέρα στην ακμή ταιριάζει σχεδόν εξίσου καλά.</translation>
+    </message>
+    <message>
+      <source>The fractures cannot be compared; only the outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
+    </message>
+    <message>
+      <source>The fractures barely touch: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές μόλις συναντιούνται: το %1.</translation>
+    </message>
+    <message>
+      <source>refined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ρυθμισμένο</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στράφηκε με το χέρι: συναντιέται το %1 των ακμών.</translation>
+    </message>
+    <message>
+      <source>Trying another start point: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται άλλο αρχικό σημείο: συναντιέται το %1 των ακμών.</translation>
+    </message>
+    <message>
+      <source>Trying another start point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται άλλο αρχικό σημείο.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures: %1 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίστηκε από τις ακμές: συναντιέται το %1.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίστηκε από τις ακμές.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται το %1: %2.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2, fractures %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται το %1: %2, ακμές σε απόσταση %3.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2; its fractures do not touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται το %1: %2· οι ακμές δεν συναντιούνται.</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακο %1 της %2</translation>
     </message>
 </context>
 <context>
@@ -948,36 +953,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Προσοχή: %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Η %1 υπολογίστηκε: %n όστρακο.</numerusform>
-        <numerusform>Η %1 υπολογίστηκε: %n όστρακα.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>You stopped it. What was computed so far is kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τη σταματήσατε. Ό,τι υπολογίστηκε ως τώρα κρατιέται.</translation>
-    </message>
-    <message>
-      <source>You took it out of the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τη βγάλατε από την ουρά.</translation>
-    </message>
     <message>
       <source>again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ξανά</translation>
-    </message>
-    <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Σε παύση· περιμένει %n παρτίδα.</numerusform>
-        <numerusform>Σε παύση· περιμένουν %n παρτίδες.</numerusform>
-      </translation>
     </message>
     <message>
       <source>%1: paused</source>
@@ -1011,19 +990,9 @@
       <translation>Το %1 περιμένει το προσχέδιο του %2.</translation>
     </message>
     <message>
-      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η κάμερα %1 μετακινήθηκε: χάνει τα σημάδια κατά %2 px, %3 mm από τη θέση βαθμονόμησης.</translation>
-    </message>
-    <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για αυτή την παρτίδα οι κάμερες βρέθηκαν εκ νέου· βαθμονομήστε ξανά τη διάταξη (C).</translation>
-    </message>
-    <message>
-      <source>It did not come to its end; compute it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν έφτασε στο τέλος της· υπολογίστε την ξανά.</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1141,6 +1110,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1· ένωση με σφάλμα έως %2 mm</translation>
     </message>
+    <message numerus="yes">
+      <source>%1 is ready: %n sherd(s).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Η %1 υπολογίστηκε: %n όστρακο.</numerusform>
+        <numerusform>Η %1 υπολογίστηκε: %n όστρακα.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>You cancelled it. Finished stages are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τη σταματήσατε. Ό,τι υπολογίστηκε ως τώρα κρατιέται.</translation>
+    </message>
+    <message>
+      <source>You removed it from the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τη βγάλατε από την ουρά.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) queued.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Σε παύση· περιμένει %n παρτίδα.</numerusform>
+        <numerusform>Σε παύση· περιμένουν %n παρτίδες.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 μετακινήθηκε: χάνει τα σημάδια κατά %2 px, %3 mm από τη θέση βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>It was interrupted. Reprocess it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έφτασε στο τέλος της· υπολογίστε την ξανά.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
@@ -1220,21 +1225,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Προεπισκόπηση αλλαγής</translation>
     </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς αριθμό ακόμη</translation>
-    </message>
-    <message>
-      <source>refused: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>απορρίφθηκε: %1</translation>
-    </message>
-    <message>
-      <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αλλάζουν %1, μένουν ως έχουν %2, απορρίπτονται %3.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1247,11 +1237,6 @@
       <source>Progress of the changes</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πρόοδος των αλλαγών</translation>
-    </message>
-    <message>
-      <source>Stop and take back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακοπή και ανάκληση</translation>
     </message>
     <message>
         <source>Assign numbers</source>
@@ -1271,14 +1256,24 @@
             <numerusform>%n τιμές χρειάζονται επιβεβαίωση.</numerusform>
         </translation>
     </message>
+    <message>
+      <source>rejected: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>απορρίφθηκε: %1</translation>
+    </message>
+    <message>
+      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αλλάζουν %1, μένουν ως έχουν %2, απορρίπτονται %3.</translation>
+    </message>
+    <message>
+      <source>Cancel and undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή και ανάκληση</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-    <message>
-      <source>Another back …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Άλλη πίσω όψη …</translation>
-    </message>
     <message>
       <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1310,6 +1305,11 @@
         <source>no contact</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>χωρίς επαφή</translation>
+    </message>
+    <message>
+      <source>Another back…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλη πίσω όψη …</translation>
     </message>
 </context>
 <context>
@@ -1346,11 +1346,6 @@
       </translation>
     </message>
     <message>
-      <source>Stop the table</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στάση τραπεζιού</translation>
-    </message>
-    <message>
       <source>Photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογράφιση ξανά</translation>
@@ -1366,11 +1361,6 @@
       <translation>Εισαγωγή σαρώσεων…</translation>
     </message>
     <message>
-      <source>Another rig…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Άλλη διάταξη…</translation>
-    </message>
-    <message>
       <source>Camera %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1</translation>
@@ -1379,16 +1369,6 @@
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λήψη</translation>
-    </message>
-    <message>
-      <source>The picture is on its way.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εικόνα έρχεται.</translation>
-    </message>
-    <message>
-      <source>Look at this first</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κοιτάξτε πρώτα αυτό</translation>
     </message>
     <message>
       <source>R</source>
@@ -1411,11 +1391,6 @@
       <translation>Πληκτρολόγηση των αριθμών των οστράκων</translation>
     </message>
     <message>
-      <source>Say how many sherds lie there</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δήλωση του αριθμού των οστράκων</translation>
-    </message>
-    <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το έργο δεν φωτογραφίζει με δική του βαθμονομημένη διάταξη.</translation>
@@ -1424,16 +1399,6 @@
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάταξη βαθμονομήθηκε από το %1· η προηγούμενη φυλάσσεται ως %2.</translation>
-    </message>
-    <message>
-      <source>The import is stopped; nothing was left behind.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εισαγωγή διακόπηκε· δεν έμεινε τίποτα.</translation>
-    </message>
-    <message>
-      <source>Import them all the same</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εισαγωγή παρ’ όλα αυτά</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1456,11 +1421,6 @@
       <translation>Η %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν έγινε εισαγωγή. Για να τα έχετε όλα, εισαγάγετέ τα και παραμερίστε την %1 στην ουρά.</translation>
     </message>
     <message>
-      <source>Take this side once more?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Να φωτογραφηθεί ξανά αυτή η πλευρά;</translation>
-    </message>
-    <message>
       <source>The bag is another now, the numbers are not</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σακούλα είναι τώρα άλλη, οι αριθμοί όχι</translation>
@@ -1471,24 +1431,69 @@
       <translation>Όχι όπως αριθμούνται τα όστρακα αυτής της σακούλας: %1. Πληκτρολογήστε τους ξανά (N, ή αργότερα στον κατάλογο), ή πείτε ότι είναι σωστοί.</translation>
     </message>
     <message>
-      <source>They are right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Είναι σωστοί</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>OK</translation>
     </message>
     <message>
-        <source>The rig that worked before stays in use.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Η προηγούμενη διάταξη παραμένει σε χρήση.</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Επόμενο βήμα</translation>
+    </message>
+    <message>
+      <source>Stop turntable</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στάση τραπεζιού</translation>
+    </message>
+    <message>
+      <source>Change rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλη διάταξη…</translation>
+    </message>
+    <message>
+      <source>Loading picture…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα έρχεται.</translation>
+    </message>
+    <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κοιτάξτε πρώτα αυτό</translation>
+    </message>
+    <message>
+      <source>Type how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δήλωση του αριθμού των οστράκων</translation>
+    </message>
+    <message>
+      <source>Import cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εισαγωγή διακόπηκε· δεν έμεινε τίποτα.</translation>
+    </message>
+    <message>
+      <source>Import anyway</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή παρ’ όλα αυτά</translation>
+    </message>
+    <message>
+      <source>Photograph this side again?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Να φωτογραφηθεί ξανά αυτή η πλευρά;</translation>
+    </message>
+    <message>
+      <source>Keep these numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι σωστοί</translation>
+    </message>
+    <message>
+        <source>%1 The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 Η προηγούμενη διάταξη παραμένει σε χρήση.</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή</translation>
     </message>
 </context>
 <context>
@@ -1499,11 +1504,6 @@
       <translation>Άνοιγμα της διάταξης</translation>
     </message>
     <message>
-      <source>%1 goes on where it was.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 συνεχίζει από εκεί που ήταν.</translation>
-    </message>
-    <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίες του %1</translation>
@@ -1512,19 +1512,6 @@
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πατήστε το κλείστρο της κάμερας %1.</translation>
-    </message>
-    <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Η φωτογραφία αυτής της όψης είναι ασφαλής.</numerusform>
-        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι ασφαλείς.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>Camera %1 at stop %2: %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1, στάση %2: %3</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1577,21 +1564,6 @@
       <translation>Μπορείτε να αδειάσετε τον δίσκο.</translation>
     </message>
     <message>
-      <source>Look at the plate before you clear it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κοιτάξτε τον δίσκο πριν τον αδειάσετε</translation>
-    </message>
-    <message>
-      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μπροστινή όψη επάνω, απόσταση ενός δακτύλου, τα σημάδια στο χείλος ελεύθερα.</translation>
-    </message>
-    <message>
-      <source>Hands off the table. Esc stops it at once.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μακριά τα χέρια από το τραπέζι. Το Esc το σταματά αμέσως.</translation>
-    </message>
-    <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μετακίνηση και η αλλαγή θέσης επιτρέπονται, η απώλεια όχι.</translation>
@@ -1600,11 +1572,6 @@
       <source>%1 is in the queue; the next batch is one key away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 είναι στην ουρά· η επόμενη παρτίδα απέχει ένα πλήκτρο.</translation>
-    </message>
-    <message>
-      <source>Space goes on all the same, R photographs the backs again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το διάστημα συνεχίζει έτσι κι αλλιώς, το R φωτογραφίζει ξανά τις πίσω όψεις.</translation>
     </message>
     <message>
       <source>Done</source>
@@ -1632,11 +1599,6 @@
       <translation>Επόμενη παρτίδα</translation>
     </message>
     <message>
-      <source>It is right: into the queue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Είναι σωστό: στην ουρά</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια στιγμή</translation>
@@ -1658,14 +1620,6 @@
       <source>Front %1, back %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μπροστά %1, πίσω %2</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n φωτογραφία είναι ασφαλής</numerusform>
-        <numerusform>%n φωτογραφίες είναι ασφαλείς</numerusform>
-      </translation>
     </message>
     <message>
       <source>This camera shows no live picture.</source>
@@ -1694,11 +1648,6 @@
       <source>%1 reaches out of the picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 βγαίνει από την εικόνα</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σημάδια %1 από %2</translation>
     </message>
     <message>
       <source>%1 % of the sherds is too dark</source>
@@ -1734,16 +1683,6 @@
       <translation>Αναζήτηση του τι κρατά την κάμερα</translation>
     </message>
     <message>
-      <source>Making the desktop let go of the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η επιφάνεια εργασίας αφήνει την κάμερα</translation>
-    </message>
-    <message>
-      <source>Make the desktop let go</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Απελευθέρωση της κάμερας</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: ψάξτε ένα που κρύβεται, αγγίζει άλλο ή δεν τοποθετήθηκε.</translation>
@@ -1752,16 +1691,6 @@
       <source>You counted %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2, %3 are needed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σημάδια %1 από %2, χρειάζονται %3</translation>
-    </message>
-    <message>
-      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα όστρακά της είναι στον έλεγχο (Ctrl+3): δείτε τα όσο είναι ακόμη εδώ</translation>
     </message>
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
@@ -1809,11 +1738,6 @@
         <translation>Η εικονική διάταξη γυρίζει τα όστρακα</translation>
     </message>
     <message>
-        <source>The table stands still. Saved photographs are kept.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Η τράπεζα είναι ακίνητη. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
-    </message>
-    <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Τίποτα με το χέρι: φωτογραφίστε τις πίσω όψεις.</translation>
@@ -1847,6 +1771,87 @@
         <source>Lighting OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Φωτισμός OK</translation>
+    </message>
+    <message>
+      <source>%1 resumes where it stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 συνεχίζει από εκεί που ήταν.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Η φωτογραφία αυτής της όψης είναι ασφαλής.</numerusform>
+        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι ασφαλείς.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at position %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1, στάση %2: %3</translation>
+    </message>
+    <message>
+      <source>Check the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κοιτάξτε τον δίσκο πριν τον αδειάσετε</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπροστινή όψη επάνω, απόσταση ενός δακτύλου, τα σημάδια στο χείλος ελεύθερα.</translation>
+    </message>
+    <message>
+      <source>Hands off the turntable. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μακριά τα χέρια από το τραπέζι. Το Esc το σταματά αμέσως.</translation>
+    </message>
+    <message>
+      <source>Space accepts anyway, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το διάστημα συνεχίζει έτσι κι αλλιώς, το R φωτογραφίζει ξανά τις πίσω όψεις.</translation>
+    </message>
+    <message>
+      <source>Accept and queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι σωστό: στην ουρά</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) saved</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n φωτογραφία είναι ασφαλής</numerusform>
+        <numerusform>%n φωτογραφίες είναι ασφαλείς</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σημάδια %1 από %2</translation>
+    </message>
+    <message>
+      <source>Releasing the camera from the desktop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επιφάνεια εργασίας αφήνει την κάμερα</translation>
+    </message>
+    <message>
+      <source>Release camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Απελευθέρωση της κάμερας</translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2, %3 needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σημάδια %1 από %2, χρειάζονται %3</translation>
+    </message>
+    <message>
+      <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακά της είναι στον έλεγχο (Ctrl+3): δείτε τα όσο είναι ακόμη εδώ</translation>
+    </message>
+    <message>
+        <source>The turntable stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η τράπεζα είναι ακίνητη. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
     </message>
 </context>
 <context>
@@ -1915,11 +1920,6 @@
       <translation>Εισαγωγή του %1: %2</translation>
     </message>
     <message>
-      <source>Import …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εισαγωγή …</translation>
-    </message>
-    <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αριθμοί, πλαίσια και περιγραφές από πίνακα, ή μια εξαγωγή (%1)</translation>
@@ -1958,11 +1958,6 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εισαγωγή του %1 διακόπηκε μετά από %2 από %3 γραμμές· αυτές είναι πλήρεις. Εισαγάγετε ξανά για τα υπόλοιπα.</translation>
-    </message>
-    <message>
-      <source>Do not tell this again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Να μην αναφερθεί ξανά</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -2015,12 +2010,17 @@
         <translation>Ένα ακυρωμένο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε δίσκο, και ο αριθμός του δεν ξαναδίνεται. Είναι ακυρωμένο το %1: «%2»;</translation>
     </message>
     <message>
-        <source>no number yet</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>ακόμη χωρίς αριθμό</translation>
+      <source>Import…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή …</translation>
     </message>
     <message>
-        <source>Yes, it is void</source>
+      <source>Dismiss</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Να μην αναφερθεί ξανά</translation>
+    </message>
+    <message>
+        <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ναι, είναι ακυρωμένο</translation>
     </message>
@@ -2048,11 +2048,6 @@
       <translation>Πώς σχεδιάζονται οι επιφάνειες</translation>
     </message>
     <message>
-      <source>Light and shade of the form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φως και σκιά της μορφής</translation>
-    </message>
-    <message>
       <source>With paint and slip</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Με γραπτή διακόσμηση και επίχρισμα</translation>
@@ -2061,21 +2056,6 @@
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αν είναι χείλος</translation>
-    </message>
-    <message>
-      <source>As the parts say, or as is likely</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όπως λένε τα μέρη, ή όπως είναι πιθανό</translation>
-    </message>
-    <message>
-      <source>It is a rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Είναι χείλος</translation>
-    </message>
-    <message>
-      <source>It is no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι χείλος</translation>
     </message>
     <message>
       <source>Scale</source>
@@ -2098,16 +2078,6 @@
       <translation>Καταχώριση διαμέτρου</translation>
     </message>
     <message>
-      <source>Save …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθήκευση …</translation>
-    </message>
-    <message>
-      <source>Print …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εκτύπωση …</translation>
-    </message>
-    <message>
       <source>Print the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εκτύπωση του σχεδίου</translation>
@@ -2123,16 +2093,6 @@
       <translation>Διακοπή</translation>
     </message>
     <message>
-      <source>The sheet before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το προηγούμενο φύλλο</translation>
-    </message>
-    <message>
-      <source>The next sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το επόμενο φύλλο</translation>
-    </message>
-    <message>
       <source>What the drawing says</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τι λέει το σχέδιο</translation>
@@ -2143,22 +2103,9 @@
       <translation>Σχέδια</translation>
     </message>
     <message>
-      <source>Stopped; nothing was drawn.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν σχεδιάστηκε τίποτα.</translation>
-    </message>
-    <message>
       <source>A sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα φύλλο</translation>
-    </message>
-    <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Σχεδίαση %n οστράκου …</numerusform>
-        <numerusform>Σχεδίαση %n οστράκων …</numerusform>
-      </translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
@@ -2223,6 +2170,59 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το σχέδιο στέλνεται στον εκτυπωτή· τυπώστε το στο 100 %.</translation>
     </message>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φως και σκιά της μορφής</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όπως λένε τα μέρη, ή όπως είναι πιθανό</translation>
+    </message>
+    <message>
+      <source>Rim sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι χείλος</translation>
+    </message>
+    <message>
+      <source>No rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι χείλος</translation>
+    </message>
+    <message>
+      <source>Save…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση …</translation>
+    </message>
+    <message>
+      <source>Print…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση …</translation>
+    </message>
+    <message>
+      <source>Previous sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το προηγούμενο φύλλο</translation>
+    </message>
+    <message>
+      <source>Next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το επόμενο φύλλο</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν σχεδιάστηκε τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Σχεδίαση %n οστράκου …</numerusform>
+        <numerusform>Σχεδίαση %n οστράκων …</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
@@ -2230,16 +2230,6 @@
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μέγεθος της εξαγωγής</translation>
-    </message>
-    <message>
-      <source>Counting …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μέτρηση …</translation>
-    </message>
-    <message>
-      <source>No sherd fits; choose others.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κανένα όστρακο δεν ταιριάζει· επιλέξτε άλλα.</translation>
     </message>
     <message>
       <source>less than a minute</source>
@@ -2302,7 +2292,17 @@
       <translation>Εξαγωγή</translation>
     </message>
     <message>
-      <source>Stopped; nothing was left behind.</source>
+      <source>Counting…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μέτρηση …</translation>
+    </message>
+    <message>
+      <source>No sherds match this selection.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα όστρακο δεν ταιριάζει· επιλέξτε άλλα.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σταμάτησε· δεν έμεινε τίποτα πίσω.</translation>
     </message>
@@ -2380,11 +2380,6 @@
       <translation>Νέος φάκελος για την εξαγωγή</translation>
     </message>
     <message>
-      <source>Choose …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Επιλογή …</translation>
-    </message>
-    <message>
       <source>Progress of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πρόοδος της εξαγωγής</translation>
@@ -2393,11 +2388,6 @@
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άνοιγμα φακέλου</translation>
-    </message>
-    <message>
-      <source>Where shall the folder be?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Πού να είναι ο φάκελος;</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2428,11 +2418,6 @@
       <translation>1 : 2</translation>
     </message>
     <message>
-      <source>as fits A4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>όπως χωρά σε A4</translation>
-    </message>
-    <message>
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πίνακες (ODS): LibreOffice, Excel</translation>
@@ -2451,11 +2436,6 @@
       <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για PLY, GLB και OBJ: με λιγότερα τρίγωνα τα αρχεία είναι πολύ μικρότερα. Η απόκλισή τους μετριέται και γράφεται σε καθένα.</translation>
-    </message>
-    <message>
-      <source>lighter, to %1 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ελαφρύτερα, έως %1 mm</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2502,6 +2482,26 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Επιλεγμένα όστρακα</translation>
     </message>
+    <message>
+      <source>Choose…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή …</translation>
+    </message>
+    <message>
+      <source>Folder for the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πού να είναι ο φάκελος;</translation>
+    </message>
+    <message>
+      <source>fit to A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όπως χωρά σε A4</translation>
+    </message>
+    <message>
+      <source>simplified, within %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ελαφρύτερα, έως %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2520,11 +2520,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις αναζητούνται παντού· ισχύουν και τα ware:grey, πάχος&gt;6, -burnt, σημείωση:*.</translation>
     </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αφαίρεση του όρου %1</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2532,6 +2527,11 @@
         <numerusform>%n όστρακο</numerusform>
         <numerusform>%n όστρακα</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Remove the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αφαίρεση του όρου %1</translation>
     </message>
 </context>
 <context>
@@ -2631,14 +2631,14 @@
       <translation>Άδεια Apache 2.0. Χρησιμοποιεί μεταξύ άλλων Qt (LGPL 3), VTK και OpenCV· το αρχείο LICENSE και το README τα αναφέρουν όλα.</translation>
     </message>
     <message>
-      <source>Nothing leaves this computer: there is no network in it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: δεν έχει δίκτυο μέσα.</translation>
-    </message>
-    <message>
       <source>The manual is in English.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το εγχειρίδιο υπάρχει μόνο στα αγγλικά.</translation>
+    </message>
+    <message>
+      <source>Nothing leaves this computer: the program uses no network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: δεν έχει δίκτυο μέσα.</translation>
     </message>
 </context>
 <context>
@@ -2649,34 +2649,9 @@
       <translation>νέο</translation>
     </message>
     <message>
-      <source>changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>άλλαξε</translation>
-    </message>
-    <message>
-      <source>refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>απορρίφθηκε</translation>
-    </message>
-    <message>
-      <source>as it is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ως έχει</translation>
-    </message>
-    <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή στον κατάλογο</translation>
-    </message>
-    <message>
-      <source>A table (CSV) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένας πίνακας (CSV) …</translation>
-    </message>
-    <message>
-      <source>An export folder …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένας φάκελος εξαγωγής …</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2684,19 +2659,9 @@
       <translation>Δημιουργία θέσεων, τομών, πλαισίων και σακουλών που λείπουν</translation>
     </message>
     <message>
-      <source>What each row would do</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τι θα έκανε κάθε γραμμή</translation>
-    </message>
-    <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πρόοδος της εισαγωγής</translation>
-    </message>
-    <message>
-      <source>Save what is refused …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθήκευση όσων απορρίφθηκαν …</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2714,16 +2679,6 @@
       <translation>Ποια εξαγωγή;</translation>
     </message>
     <message>
-      <source>Save what is refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθήκευση όσων απορρίφθηκαν</translation>
-    </message>
-    <message>
-      <source>refused.csv</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>refused.csv</translation>
-    </message>
-    <message>
       <source>Tables (*.csv)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πίνακες (*.csv)</translation>
@@ -2734,31 +2689,6 @@
       <translation>Αποθηκεύτηκε: %1</translation>
     </message>
     <message>
-      <source>line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>γραμμή</translation>
-    </message>
-    <message>
-      <source>what happens</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>τι γίνεται</translation>
-    </message>
-    <message>
-      <source>why not</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>γιατί όχι</translation>
-    </message>
-    <message>
-      <source>Looking at it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εξέταση …</translation>
-    </message>
-    <message>
-      <source>Entered: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καταχωρίστηκαν: %1</translation>
-    </message>
-    <message>
       <source>Close</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλείσιμο</translation>
@@ -2767,19 +2697,6 @@
       <source>Stop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακοπή</translation>
-    </message>
-    <message>
-      <source>Take nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία καταχώριση</translation>
-    </message>
-    <message numerus="yes">
-      <source>Enter %n row(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Καταχώριση %n γραμμής</numerusform>
-        <numerusform>Καταχώριση %n γραμμών</numerusform>
-      </translation>
     </message>
     <message>
       <source>Keep the other versions</source>
@@ -2822,6 +2739,89 @@
             <numerusform>Επιβεβαίωση %n γραμμών</numerusform>
         </translation>
     </message>
+    <message>
+      <source>updated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άλλαξε</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>απορρίφθηκε</translation>
+    </message>
+    <message>
+      <source>unchanged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ως έχει</translation>
+    </message>
+    <message>
+      <source>Table (CSV)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας πίνακας (CSV) …</translation>
+    </message>
+    <message>
+      <source>Export folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας φάκελος εξαγωγής …</translation>
+    </message>
+    <message>
+      <source>Effect of each row</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι θα έκανε κάθε γραμμή</translation>
+    </message>
+    <message>
+      <source>Save rejected rows…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση όσων απορρίφθηκαν …</translation>
+    </message>
+    <message>
+      <source>Save rejected rows</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση όσων απορρίφθηκαν</translation>
+    </message>
+    <message>
+      <source>rejected.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refused.csv</translation>
+    </message>
+    <message>
+      <source>Line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γραμμή</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τι γίνεται</translation>
+    </message>
+    <message>
+      <source>Reason</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γιατί όχι</translation>
+    </message>
+    <message>
+      <source>Reading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξέταση …</translation>
+    </message>
+    <message>
+      <source>Imported: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καταχωρίστηκαν: %1</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία καταχώριση</translation>
+    </message>
+    <message numerus="yes">
+      <source>Import %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Καταχώριση %n γραμμής</numerusform>
+        <numerusform>Καταχώριση %n γραμμών</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2836,27 +2836,9 @@
       <translation>Προεπισκόπηση εισαγωγής</translation>
     </message>
     <message>
-      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 νέα, %2 άλλαξαν, %3 ως έχουν, %4 απορρίφθηκαν.</translation>
-    </message>
-    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή</translation>
-    </message>
-    <message>
-      <source>Stopped; nothing was entered.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν καταχωρίστηκε τίποτα.</translation>
-    </message>
-    <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Σταμάτησε: %n γραμμή δεν καταχωρήθηκε. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
-        <numerusform>Σταμάτησε: %n γραμμές δεν καταχωρήθηκαν. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
-      </translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2865,6 +2847,24 @@
             <numerusform>%n γραμμή χρειάζεται επιβεβαίωση.</numerusform>
             <numerusform>%n γραμμές χρειάζονται επιβεβαίωση.</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 νέα, %2 άλλαξαν, %3 ως έχουν, %4 απορρίφθηκαν.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν καταχωρίστηκε τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Σταμάτησε: %n γραμμή δεν καταχωρήθηκε. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
+        <numerusform>Σταμάτησε: %n γραμμές δεν καταχωρήθηκαν. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2968,11 +2968,6 @@
       <translation>Ο υπολογισμός σταματά· συνεχίζει όταν ανοίξει ξανά το έργο. Το παράθυρο κλείνει σε λίγο.</translation>
     </message>
     <message>
-      <source>Queue: mending masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ουρά: διόρθωση μασκών</translation>
-    </message>
-    <message>
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αναίρεση: %1</translation>
@@ -2988,16 +2983,6 @@
       <translation>Ο κατάλογος δεν αντιγράφηκε: %1</translation>
     </message>
     <message>
-      <source>%1 (can only be read)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (μόνο για ανάγνωση)</translation>
-    </message>
-    <message>
-      <source>This project can only be read: look at everything; changes are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
-    </message>
-    <message>
         <source>%1 is ready.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Το %1 είναι έτοιμο.</translation>
@@ -3011,6 +2996,21 @@
         <source>Redo: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Επανάληψη: %1</translation>
+    </message>
+    <message>
+      <source>Queue: editing masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ουρά: διόρθωση μασκών</translation>
+    </message>
+    <message>
+      <source>%1 (read-only)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (μόνο για ανάγνωση)</translation>
+    </message>
+    <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
     </message>
 </context>
 <context>
@@ -3222,24 +3222,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>Outlines laid over each other, and their turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Περιγράμματα το ένα πάνω στο άλλο, και οι γωνίες στροφής τους</translation>
-    </message>
-    <message>
       <source>The turning angles differ by %1 rad.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι γωνίες στροφής διαφέρουν κατά %1 rad.</translation>
-    </message>
-    <message>
-      <source>outlines on each other</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>περιγράμματα μαζί</translation>
-    </message>
-    <message>
-      <source>turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>γωνίες στροφής</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -3250,6 +3235,21 @@
       <source>differ by %1 rad</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>διαφορά %1 rad</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid, and their turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Περιγράμματα το ένα πάνω στο άλλο, και οι γωνίες στροφής τους</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περιγράμματα μαζί</translation>
+    </message>
+    <message>
+      <source>Turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γωνίες στροφής</translation>
     </message>
 </context>
 <context>
@@ -3268,26 +3268,6 @@
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν επιλέχθηκε πίσω όψη.</translation>
-    </message>
-    <message>
-      <source>The rims do not meet here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές δεν συναντιούνται εδώ.</translation>
-    </message>
-    <message>
-      <source>Rims %1 apart, %2 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ακμές σε απόσταση %1, συναντιέται το %2.</translation>
-    </message>
-    <message>
-      <source>Turned by hand; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στράφηκε με το χέρι· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
-    </message>
-    <message>
-      <source>Start point %1; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αρχικό σημείο %1· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
@@ -3320,19 +3300,9 @@
       <translation>το %1 στην άκρη</translation>
     </message>
     <message>
-      <source>One of the two has no back to be joined.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για ένωση.</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αρχικό σημείο</translation>
-    </message>
-    <message>
-      <source>settling by the rims</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ρύθμιση από τις ακμές</translation>
     </message>
     <message>
       <source>turning by hand</source>
@@ -3345,11 +3315,6 @@
       <translation>Κλειστό μοντέλο</translation>
     </message>
     <message>
-      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το ζεύγος δεν έχει ακόμη κλειστό μοντέλο· γίνεται όταν υπολογιστεί η παρτίδα.</translation>
-    </message>
-    <message>
       <source>Picture of a pair</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνα ενός ζεύγους</translation>
@@ -3358,11 +3323,6 @@
       <source>More candidates</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Περισσότερα υποψήφια</translation>
-    </message>
-    <message>
-      <source>This back lies alone.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτή η πίσω όψη είναι μόνη.</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3385,11 +3345,6 @@
       <translation>Ό,τι ήταν μόνο δοκιμή δεν υπάρχει πια· τα ζεύγη του έκλεισαν στο μεταξύ.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι ακμές του %1 και του %2 μόλις συναντιούνται: το %3.</translation>
-    </message>
-    <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>νέα λήψη: %1</translation>
@@ -3403,6 +3358,51 @@
         <source>splitting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>διαίρεση: %1</translation>
+    </message>
+    <message>
+      <source>The fractures do not touch here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές δεν συναντιούνται εδώ.</translation>
+    </message>
+    <message>
+      <source>Fractures %1 apart, %2 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ακμές σε απόσταση %1, συναντιέται το %2.</translation>
+    </message>
+    <message>
+      <source>Turned by hand; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στράφηκε με το χέρι· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
+    </message>
+    <message>
+      <source>Start point %1; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρχικό σημείο %1· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για ένωση.</translation>
+    </message>
+    <message>
+      <source>refining the fit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ρύθμιση από τις ακμές</translation>
+    </message>
+    <message>
+      <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το ζεύγος δεν έχει ακόμη κλειστό μοντέλο· γίνεται όταν υπολογιστεί η παρτίδα.</translation>
+    </message>
+    <message>
+      <source>This back has no partner.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η πίσω όψη είναι μόνη.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι ακμές του %1 και του %2 μόλις συναντιούνται: το %3.</translation>
     </message>
 </context>
 <context>
@@ -3476,14 +3476,14 @@
       <translation>χωρίς σακούλα: ακόμη χωρίς αριθμούς</translation>
     </message>
     <message>
-      <source>site-trench-context-bag, please</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>θέση-τομή-πλαίσιο-σακούλα, παρακαλώ</translation>
-    </message>
-    <message>
       <source>New: %1 (Esc takes it back)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Νέα: %1 (το Esc τα αναιρεί)</translation>
+    </message>
+    <message>
+      <source>write site-trench-context-bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>θέση-τομή-πλαίσιο-σακούλα, παρακαλώ</translation>
     </message>
 </context>
 <context>
@@ -3656,11 +3656,6 @@
 <context>
     <name>ostraka::ui::Rail</name>
     <message>
-      <source>Stations</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταθμοί</translation>
-    </message>
-    <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1  %2</translation>
@@ -3669,6 +3664,11 @@
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Screens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταθμοί</translation>
     </message>
 </context>
 <context>
@@ -3739,11 +3739,6 @@
       <translation>Στην άκρη</translation>
     </message>
     <message>
-      <source>The rims are compared … Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σύγκριση των ακμών … Το Esc διακόπτει.</translation>
-    </message>
-    <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>… και το άλλο άκρο</translation>
@@ -3752,11 +3747,6 @@
       <source>Pairs of the batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ζεύγη της παρτίδας</translation>
-    </message>
-    <message>
-      <source>The rims settle: %1. Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές προσαρμόζονται: %1. Το Esc διακόπτει.</translation>
     </message>
     <message>
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
@@ -3843,6 +3833,16 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Enter</translation>
     </message>
+    <message>
+      <source>Comparing the fractures… Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση των ακμών … Το Esc διακόπτει.</translation>
+    </message>
+    <message>
+      <source>Refining the fit, fracture gap %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές προσαρμόζονται: %1. Το Esc διακόπτει.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
@@ -3867,37 +3867,9 @@
       <translation>Άνοιγμα της %1</translation>
     </message>
     <message>
-      <source>%1 waits to be computed; only what changed is done again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η %1 περιμένει υπολογισμό· ξαναγίνεται μόνο ό,τι άλλαξε.</translation>
-    </message>
-    <message>
-      <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Τα ζεύγη των νέων κομματιών έρχονται με τον υπολογισμό.</translation>
-    </message>
-    <message>
-      <source>Taken back. Both are kept in the history.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ανακλήθηκε. Και τα δύο μένουν στο ιστορικό.</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε, με το όνομά σας.</translation>
-    </message>
-    <message>
-      <source>No pair needs your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κανένα ζεύγος δεν χρειάζεται τη ματιά σας</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n ζεύγος χρειάζεται τη ματιά σας</numerusform>
-        <numerusform>%n ζεύγη χρειάζονται τη ματιά σας</numerusform>
-      </translation>
     </message>
     <message>
       <source>Review</source>
@@ -3905,34 +3877,9 @@
       <translation>Έλεγχος</translation>
     </message>
     <message>
-      <source>None of the measures of %1 is sure. %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία μέτρηση της %1 δεν είναι βέβαιη. %2</translation>
-    </message>
-    <message>
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μοντέλα της %1</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο δεν θα έχει αριθμό και ο %1 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο κρατά τον αριθμό %1 και ο %2 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
-    </message>
-    <message>
-      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στην %1 δεν είναι γνωστό κανένα μήκος: κανένας αριθμός και κανένα μήκος εδώ δεν είναι σε χιλιοστά.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Κατά τον υπολογισμό ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα ενώνει πάλι.</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -3968,6 +3915,59 @@
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Το %1 φωτογραφήθηκε ξανά ως %2 στο %3 και έχει τώρα δύο εγγραφές. Ακυρώστε μία στον κατάλογο ή αφήστε εδώ το θραύσμα στην άκρη.</translation>
+    </message>
+    <message>
+      <source>%1 is queued; only what changed is reprocessed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 περιμένει υπολογισμό· ξαναγίνεται μόνο ό,τι άλλαξε.</translation>
+    </message>
+    <message>
+      <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Τα ζεύγη των νέων κομματιών έρχονται με τον υπολογισμό.</translation>
+    </message>
+    <message>
+      <source>Undone. The history keeps both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανακλήθηκε. Και τα δύο μένουν στο ιστορικό.</translation>
+    </message>
+    <message>
+      <source>No pairs to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα ζεύγος δεν χρειάζεται τη ματιά σας</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n ζεύγος χρειάζεται τη ματιά σας</numerusform>
+        <numerusform>%n ζεύγη χρειάζονται τη ματιά σας</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>No measurement of %1 is certain. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία μέτρηση της %1 δεν είναι βέβαιη. %2</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο δεν θα έχει αριθμό και ο %1 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο κρατά τον αριθμό %1 και ο %2 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
+    </message>
+    <message>
+      <source>%1 has no scale: no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στην %1 δεν είναι γνωστό κανένα μήκος: κανένας αριθμός και κανένα μήκος εδώ δεν είναι σε χιλιοστά.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Κατά τον υπολογισμό ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα ενώνει πάλι.</translation>
     </message>
 </context>
 <context>
@@ -4295,16 +4295,6 @@
       <translation>πλαίσιο</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς αριθμό ακόμη</translation>
-    </message>
-    <message>
-      <source>Give the number %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Απόδοση του αριθμού %1</translation>
-    </message>
-    <message>
       <source>added</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>προστέθηκε</translation>
@@ -4369,17 +4359,14 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>υπολογισμένη· αντικαταστάθηκε από τη μετρημένη τιμή</translation>
     </message>
+    <message>
+      <source>Assign number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Απόδοση του αριθμού %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-    <message numerus="yes">
-      <source>number %n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>αρίθμηση %n οστράκου</numerusform>
-        <numerusform>αρίθμηση %n οστράκων</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Other changes are still being saved; wait for them, or stop them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4395,11 +4382,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αριθμοί</translation>
     </message>
-    <message>
-      <source>Stopped; nothing was changed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν άλλαξε τίποτα.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4407,6 +4389,19 @@
         <numerusform>%n όστρακο δεν πήρε αριθμό: %1</numerusform>
         <numerusform>%n όστρακα δεν πήραν αριθμό: %1</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+      <source>numbering of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>αρίθμηση %n οστράκου</numerusform>
+        <numerusform>αρίθμηση %n οστράκων</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν άλλαξε τίποτα.</translation>
     </message>
 </context>
 <context>
@@ -4425,11 +4420,6 @@
       <source>not recorded</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>δεν καταγράφηκε</translation>
-    </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς αριθμό ακόμη</translation>
     </message>
     <message>
       <source>%1: %2, in doubt</source>
@@ -4560,13 +4550,6 @@
       <translation>Έργα</translation>
     </message>
     <message>
-      <source>%1
-%2 is not there: find it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1
-Το %2 δεν υπάρχει: βρείτε το …</translation>
-    </message>
-    <message>
       <source>Where is %1 now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πού είναι τώρα το %1;</translation>
@@ -4611,6 +4594,13 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Άνοιγμα του έργου</translation>
     </message>
+    <message>
+      <source>%1
+%2 is not there: find it…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+Το %2 δεν υπάρχει: βρείτε το …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4620,7 +4610,7 @@
       <translation>Φωτογραφίες αυτής της όψης</translation>
     </message>
     <message>
-      <source>%1 of %2 stops are done</source>
+      <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έγιναν %1 από %2 στάσεις</translation>
     </message>
@@ -4707,11 +4697,6 @@
 <context>
     <name>ostraka::ui::MaskModel</name>
     <message>
-      <source>%1, camera %2, stop %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, κάμερα %2, στάση %3</translation>
-    </message>
-    <message>
       <source>Mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μάσκα</translation>
@@ -4735,6 +4720,11 @@
       <source>paint on a mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ζωγραφική σε μάσκα</translation>
+    </message>
+    <message>
+      <source>%1, camera %2, position %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, κάμερα %2, στάση %3</translation>
     </message>
 </context>
 <context>
@@ -4834,11 +4824,6 @@
 <context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα όστρακο θα είναι</translation>
-    </message>
-    <message>
       <source>First number of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πρώτος αριθμός αυτού του υπολογιστή</translation>
@@ -4862,11 +4847,6 @@
       <source>Num&amp;bers of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αριθμοί αυτού του &amp;υπολογιστή</translation>
-    </message>
-    <message>
-      <source>Number so from &amp;now on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αρίθμηση έτσι από εδώ και &amp;πέρα</translation>
     </message>
     <message>
       <source>Numbers of the open project</source>
@@ -4901,6 +4881,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, και {n} μία φορά· το {n:04} έχει τουλάχιστον τέσσερα ψηφία</translation>
     </message>
+    <message>
+      <source>Example</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο θα είναι</translation>
+    </message>
+    <message>
+      <source>Use this &amp;numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρίθμηση έτσι από εδώ και &amp;πέρα</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
@@ -4933,11 +4923,6 @@
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
-      <source>&amp;Save the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθήκευση λέ&amp;ξεων</translation>
-    </message>
-    <message>
       <source>&amp;Words for</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Λέξεις για</translation>
@@ -4948,29 +4933,9 @@
       <translation>Μια λέξη που ήδη χρησιμοποιούν όστρακα μένει· αλλάξτε πρώτα εκείνα.</translation>
     </message>
     <message>
-      <source>&amp;One a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μ&amp;ία ανά γραμμή</translation>
-    </message>
-    <message>
       <source>Saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε.</translation>
-    </message>
-    <message>
-      <source>Words of the open project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Λέξεις του ανοιχτού έργου</translation>
-    </message>
-    <message>
-      <source>Words, one a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Λέξεις, μία ανά γραμμή</translation>
-    </message>
-    <message>
-      <source>change the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αλλαγή των λέξεων</translation>
     </message>
     <message>
       <source>condition</source>
@@ -5003,7 +4968,32 @@
       <translation>επιφάνεια</translation>
     </message>
     <message>
-      <source>These words are not saved yet.</source>
+      <source>&amp;Save vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση λέ&amp;ξεων</translation>
+    </message>
+    <message>
+      <source>&amp;One per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μ&amp;ία ανά γραμμή</translation>
+    </message>
+    <message>
+      <source>Project vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λέξεις του ανοιχτού έργου</translation>
+    </message>
+    <message>
+      <source>Terms, one per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λέξεις, μία ανά γραμμή</translation>
+    </message>
+    <message>
+      <source>change the vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αλλαγή των λέξεων</translation>
+    </message>
+    <message>
+      <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτές οι λέξεις δεν έχουν αποθηκευτεί ακόμη.</translation>
     </message>
@@ -9068,6 +9058,21 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Από %1 γραμμές καταχωρίστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
     </message>
+    <message>
+      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η στήλη &apos;%1&apos; λέει το ίδιο με τη &apos;%2&apos;· οι τιμές της μένουν σε δικό σας πεδίο.</translation>
+    </message>
+    <message>
+      <source>Check the drawing of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε το σχέδιο του %1: %2</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακο %1 της %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9131,11 +9136,6 @@
         <translation>επιλεγμένο από εσάς</translation>
     </message>
     <message>
-        <source>no field of this name; kept as a field of your own</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>κανένα πεδίο με αυτό το όνομα· διατηρείται ως δικό σας πεδίο</translation>
-    </message>
-    <message>
         <source>Columns of the table</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Στήλες του πίνακα</translation>
@@ -9171,11 +9171,6 @@
         <translation>Πεδίο της στήλης %1</translation>
     </message>
     <message>
-        <source>leave out</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>παράλειψη</translation>
-    </message>
-    <message>
         <source>own field: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>δικό σας πεδίο: %1</translation>
@@ -9184,6 +9179,16 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Μονάδα της στήλης %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as your own field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>κανένα πεδίο με αυτό το όνομα· διατηρείται ως δικό σας πεδίο</translation>
+    </message>
+    <message>
+        <source>skip</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>παράλειψη</translation>
     </message>
 </context>
 <context>

@@ -48,17 +48,17 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
+      <source>%1 is ready: %n sherd(s).</source>
       <translation>
-        <numerusform>%1 is computed: %n sherd.</numerusform>
-        <numerusform>%1 is computed: %n sherds.</numerusform>
+        <numerusform>%1 is ready: %n sherd.</numerusform>
+        <numerusform>%1 is ready: %n sherds.</numerusform>
       </translation>
     </message>
     <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
+      <source>Paused; %n batch(es) queued.</source>
       <translation>
-        <numerusform>Paused; %n batch waits.</numerusform>
-        <numerusform>Paused; %n batches wait.</numerusform>
+        <numerusform>Paused; %n batch queued.</numerusform>
+        <numerusform>Paused; %n batches queued.</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -127,10 +127,10 @@
 <context>
     <name>ostraka::ui::CaptureWizard</name>
     <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
+      <source>The %n photograph(s) of this side so far are saved.</source>
       <translation>
-        <numerusform>The %n photograph of this side so far is safe.</numerusform>
-        <numerusform>The %n photographs of this side so far are safe.</numerusform>
+        <numerusform>The %n photograph of this side so far is saved.</numerusform>
+        <numerusform>The %n photographs of this side so far are saved.</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -141,10 +141,10 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
+      <source>%n photograph(s) saved</source>
       <translation>
-        <numerusform>%n photograph is safe</numerusform>
-        <numerusform>%n photographs are safe</numerusform>
+        <numerusform>%n photograph saved</numerusform>
+        <numerusform>%n photographs saved</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -175,10 +175,10 @@
 <context>
     <name>ostraka::ui::DrawingPage</name>
     <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
+      <source>Drawing %n sherd(s)…</source>
       <translation>
-        <numerusform>Drawing %n sherd …</numerusform>
-        <numerusform>Drawing %n sherds …</numerusform>
+        <numerusform>Drawing %n sherd…</numerusform>
+        <numerusform>Drawing %n sherds…</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -260,10 +260,10 @@
 <context>
     <name>ostraka::ui::ImportDialog</name>
     <message numerus="yes">
-      <source>Enter %n row(s)</source>
+      <source>Import %n row(s)</source>
       <translation>
-        <numerusform>Enter %n row</numerusform>
-        <numerusform>Enter %n rows</numerusform>
+        <numerusform>Import %n row</numerusform>
+        <numerusform>Import %n rows</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -284,10 +284,10 @@
 <context>
     <name>ostraka::ui::ImportModel</name>
     <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
       <translation>
-        <numerusform>Stopped: %n row are not entered. Import the table again for the rest.</numerusform>
-        <numerusform>Stopped: %n rows are not entered. Import the table again for the rest.</numerusform>
+        <numerusform>Cancelled: %n row was not imported. Import the table again for the rest.</numerusform>
+        <numerusform>Cancelled: %n rows were not imported. Import the table again for the rest.</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -338,20 +338,20 @@
 <context>
     <name>ostraka::ui::ReviewStation</name>
     <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
+      <source>%n pair(s) to review</source>
       <translation>
-        <numerusform>%n pair needs your eye</numerusform>
-        <numerusform>%n pairs need your eye</numerusform>
+        <numerusform>%n pair to review</numerusform>
+        <numerusform>%n pairs to review</numerusform>
       </translation>
     </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
-      <source>number %n sherd(s)</source>
+      <source>numbering of %n sherd(s)</source>
       <translation>
-        <numerusform>number %n sherd</numerusform>
-        <numerusform>number %n sherds</numerusform>
+        <numerusform>numbering of %n sherd</numerusform>
+        <numerusform>numbering of %n sherds</numerusform>
       </translation>
     </message>
     <message numerus="yes">

@@ -17,14 +17,14 @@
       <translation>Importar</translation>
     </message>
     <message>
-      <source>Import nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No importar</translation>
-    </message>
-    <message>
       <source>Which bag do the sherds of %1 come from?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>¿De qué bolsa son los fragmentos de %1?</translation>
+    </message>
+    <message>
+      <source>Cancel import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No importar</translation>
     </message>
 </context>
 <context>
@@ -48,14 +48,14 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mientras se calculaba la tanda se decidieron pares o se corrigieron máscaras; calcúlela de nuevo para ellos.</translation>
-    </message>
-    <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: este número se escribió en la placa, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mientras se calculaba la tanda se decidieron pares o se corrigieron máscaras; calcúlela de nuevo para ellos.</translation>
     </message>
 </context>
 <context>
@@ -74,11 +74,6 @@
       <source>state</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>estado</translation>
-    </message>
-    <message>
-      <source>void because</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>anulado porque</translation>
     </message>
     <message>
       <source>site</source>
@@ -196,19 +191,9 @@
       <translation>anchura, mm</translation>
     </message>
     <message>
-      <source>thickness least, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>grosor mínimo, mm</translation>
-    </message>
-    <message>
       <source>thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>grosor, mm</translation>
-    </message>
-    <message>
-      <source>thickness most, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>grosor máximo, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
@@ -219,11 +204,6 @@
       <source>volume, mm³</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>volumen, mm³</translation>
-    </message>
-    <message>
-      <source>not seen, %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>no visto, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
@@ -265,18 +245,38 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>reverso</translation>
     </message>
+    <message>
+      <source>reason voided</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>anulado porque</translation>
+    </message>
+    <message>
+      <source>minimum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>grosor mínimo, mm</translation>
+    </message>
+    <message>
+      <source>maximum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>grosor máximo, mm</translation>
+    </message>
+    <message>
+      <source>unseen surface, %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>no visto, %</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
     <message>
-      <source>The memory does not suffice; close other programs and try again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La memoria no basta; cierre otros programas e inténtelo otra vez.</translation>
-    </message>
-    <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es un defecto del programa; comuníquelo con el registro (%1).</translation>
+    </message>
+    <message>
+      <source>Not enough memory. Close other programs and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La memoria no basta; cierre otros programas e inténtelo otra vez.</translation>
     </message>
 </context>
 <context>
@@ -451,11 +451,6 @@
       <translation>anulado</translation>
     </message>
     <message>
-      <source>draft</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>borrador</translation>
-    </message>
-    <message>
       <source>on a scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>en la balanza</translation>
@@ -521,11 +516,6 @@
       <translation>%1 y %2 encajan ambos con %3.</translation>
     </message>
     <message>
-      <source>Another partner fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otra pareja encaja casi igual de bien.</translation>
-    </message>
-    <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Su reverso se dio a otro anverso: ¿es %1 el correcto ahora?</translation>
@@ -554,31 +544,6 @@
       <source>The faces cross: %1 of the front lies behind the back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las caras se cruzan: %1 del anverso queda detrás del reverso.</translation>
-    </message>
-    <message>
-      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los dos escaneos casi no comparten fractura; solo los contornos los unen.</translation>
-    </message>
-    <message>
-      <source>The broken edges do not fit: %1 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las fracturas no encajan: %1 de separación.</translation>
-    </message>
-    <message>
-      <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El borde apenas fija la posición: incertidumbre de %1.</translation>
-    </message>
-    <message>
-      <source>A place %1 along the rim fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un lugar a %1 por el borde encaja casi igual de bien.</translation>
-    </message>
-    <message>
-      <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes no se pueden comparar; solo los contornos unen estos lados.</translation>
     </message>
     <message>
       <source>shoot again</source>
@@ -659,11 +624,6 @@
       <translation>Decidido por %1 el %2, girado a mano.</translation>
     </message>
     <message>
-      <source>The rims hardly meet: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes apenas se encuentran: el %1.</translation>
-    </message>
-    <message>
       <source>by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>a mano</translation>
@@ -674,54 +634,9 @@
       <translation>punto inicial</translation>
     </message>
     <message>
-      <source>settled</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ajustado</translation>
-    </message>
-    <message>
-      <source>Turned by hand: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girado a mano: se encuentra el %1 de los bordes.</translation>
-    </message>
-    <message>
       <source>Turned by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Girado a mano.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba otro punto inicial: se encuentra el %1 de los bordes.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba otro punto inicial.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims: %1 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajustado por los bordes: se encuentra el %1.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajustado por los bordes.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba %1: %2.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2, rims %3 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba %1: %2, bordes separados %3.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2; its rims do not meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba %1: %2; los bordes no se encuentran.</translation>
     </message>
     <message>
       <source>%1 decided for %2.</source>
@@ -897,9 +812,99 @@
         <translation>%1 (calculado %2)</translation>
     </message>
     <message>
-        <source>The two scans share only %1 of the broken edge.</source>
+        <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Los dos escaneos solo comparten %1 de la fractura.</translation>
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aún sin número</translation>
+    </message>
+    <message>
+      <source>Another partner fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otra pareja encaja casi igual de bien.</translation>
+    </message>
+    <message>
+      <source>The two scans share almost no fracture; only their outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los dos escaneos casi no comparten fractura; solo los contornos los unen.</translation>
+    </message>
+    <message>
+      <source>The fractures do not fit: %1 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fracturas no encajan: %1 de separación.</translation>
+    </message>
+    <message>
+      <source>The fracture barely fixes the position: uncertain by %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El borde apenas fija la posición: incertidumbre de %1.</translation>
+    </message>
+    <message>
+      <source>A position %1 along the contour fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un lugar a %1 por el borde encaja casi igual de bien.</translation>
+    </message>
+    <message>
+      <source>The fractures cannot be compared; only the outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los bordes no se pueden comparar; solo los contornos unen estos lados.</translation>
+    </message>
+    <message>
+      <source>The fractures barely touch: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los bordes apenas se encuentran: el %1.</translation>
+    </message>
+    <message>
+      <source>refined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajustado</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girado a mano: se encuentra el %1 de los bordes.</translation>
+    </message>
+    <message>
+      <source>Trying another start point: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba otro punto inicial: se encuentra el %1 de los bordes.</translation>
+    </message>
+    <message>
+      <source>Trying another start point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba otro punto inicial.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures: %1 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustado por los bordes: se encuentra el %1.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustado por los bordes.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba %1: %2.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2, fractures %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba %1: %2, bordes separados %3.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2; its fractures do not touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba %1: %2; los bordes no se encuentran.</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmento %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -948,36 +953,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aviso: %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1 está calculada: %n fragmento.</numerusform>
-        <numerusform>%1 está calculada: %n fragmentos.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>You stopped it. What was computed so far is kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Usted la detuvo. Lo calculado hasta ahora se conserva.</translation>
-    </message>
-    <message>
-      <source>You took it out of the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Usted la sacó de la cola.</translation>
-    </message>
     <message>
       <source>again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>otra vez</translation>
-    </message>
-    <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>En pausa; espera %n tanda.</numerusform>
-        <numerusform>En pausa; esperan %n tandas.</numerusform>
-      </translation>
     </message>
     <message>
       <source>%1: paused</source>
@@ -1011,19 +990,9 @@
       <translation>%1 espera el borrador de %2.</translation>
     </message>
     <message>
-      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara %1 recibió un golpe: yerra las marcas por %2 px, a %3 mm de donde se calibró.</translation>
-    </message>
-    <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En esta tanda se hallaron de nuevo las cámaras; calibre otra vez el equipo (C).</translation>
-    </message>
-    <message>
-      <source>It did not come to its end; compute it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No llegó a su fin; calcúlelo de nuevo.</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1141,6 +1110,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; unidos con un error de %2 mm como máximo</translation>
     </message>
+    <message numerus="yes">
+      <source>%1 is ready: %n sherd(s).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 está calculada: %n fragmento.</numerusform>
+        <numerusform>%1 está calculada: %n fragmentos.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>You cancelled it. Finished stages are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Usted la detuvo. Lo calculado hasta ahora se conserva.</translation>
+    </message>
+    <message>
+      <source>You removed it from the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Usted la sacó de la cola.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) queued.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>En pausa; espera %n tanda.</numerusform>
+        <numerusform>En pausa; esperan %n tandas.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 recibió un golpe: yerra las marcas por %2 px, a %3 mm de donde se calibró.</translation>
+    </message>
+    <message>
+      <source>It was interrupted. Reprocess it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No llegó a su fin; calcúlelo de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
@@ -1220,21 +1225,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vista previa de un cambio</translation>
     </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>aún sin número</translation>
-    </message>
-    <message>
-      <source>refused: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rechazado: %1</translation>
-    </message>
-    <message>
-      <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 cambian, %2 quedan como están, %3 se rechazan.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1247,11 +1237,6 @@
       <source>Progress of the changes</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Avance de los cambios</translation>
-    </message>
-    <message>
-      <source>Stop and take back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detener y deshacer</translation>
     </message>
     <message>
         <source>Assign numbers</source>
@@ -1271,14 +1256,24 @@
             <numerusform>%n valores deben confirmarse.</numerusform>
         </translation>
     </message>
+    <message>
+      <source>rejected: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rechazado: %1</translation>
+    </message>
+    <message>
+      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 cambian, %2 quedan como están, %3 se rechazan.</translation>
+    </message>
+    <message>
+      <source>Cancel and undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener y deshacer</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-    <message>
-      <source>Another back …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro reverso …</translation>
-    </message>
     <message>
       <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1310,6 +1305,11 @@
         <source>no contact</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sin contacto</translation>
+    </message>
+    <message>
+      <source>Another back…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro reverso …</translation>
     </message>
 </context>
 <context>
@@ -1346,11 +1346,6 @@
       </translation>
     </message>
     <message>
-      <source>Stop the table</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detener la mesa</translation>
-    </message>
-    <message>
       <source>Photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotografiar otra vez</translation>
@@ -1366,11 +1361,6 @@
       <translation>Importar escaneos…</translation>
     </message>
     <message>
-      <source>Another rig…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro equipo…</translation>
-    </message>
-    <message>
       <source>Camera %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1</translation>
@@ -1379,16 +1369,6 @@
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Captura</translation>
-    </message>
-    <message>
-      <source>The picture is on its way.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen está en camino.</translation>
-    </message>
-    <message>
-      <source>Look at this first</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mire esto primero</translation>
     </message>
     <message>
       <source>R</source>
@@ -1411,11 +1391,6 @@
       <translation>Escribir los números de los fragmentos</translation>
     </message>
     <message>
-      <source>Say how many sherds lie there</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Decir cuántos fragmentos hay</translation>
-    </message>
-    <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este proyecto no fotografía con un equipo calibrado propio.</translation>
@@ -1424,16 +1399,6 @@
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo está calibrado según %1; la calibración anterior se guarda como %2.</translation>
-    </message>
-    <message>
-      <source>The import is stopped; nothing was left behind.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La importación se ha detenido; no ha quedado nada.</translation>
-    </message>
-    <message>
-      <source>Import them all the same</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importarlos de todos modos</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1456,11 +1421,6 @@
       <translation>%1 ya tiene %2 de estos %3 archivos; no se importó nada. Para tenerlos completos, impórtelos todos y aparte %1 en la cola.</translation>
     </message>
     <message>
-      <source>Take this side once more?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>¿Fotografiar esta cara otra vez?</translation>
-    </message>
-    <message>
       <source>The bag is another now, the numbers are not</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La bolsa es ahora otra, los números no</translation>
@@ -1471,24 +1431,69 @@
       <translation>No son como se numeran los fragmentos de esta bolsa: %1. Escríbalos de nuevo (N, o más tarde en el catálogo), o diga que son correctos.</translation>
     </message>
     <message>
-      <source>They are right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Son correctos</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Aceptar</translation>
     </message>
     <message>
-        <source>The rig that worked before stays in use.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>El equipo anterior sigue en uso.</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Siguiente paso</translation>
+    </message>
+    <message>
+      <source>Stop turntable</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener la mesa</translation>
+    </message>
+    <message>
+      <source>Change rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro equipo…</translation>
+    </message>
+    <message>
+      <source>Loading picture…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen está en camino.</translation>
+    </message>
+    <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mire esto primero</translation>
+    </message>
+    <message>
+      <source>Type how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Decir cuántos fragmentos hay</translation>
+    </message>
+    <message>
+      <source>Import cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La importación se ha detenido; no ha quedado nada.</translation>
+    </message>
+    <message>
+      <source>Import anyway</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importarlos de todos modos</translation>
+    </message>
+    <message>
+      <source>Photograph this side again?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Fotografiar esta cara otra vez?</translation>
+    </message>
+    <message>
+      <source>Keep these numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Son correctos</translation>
+    </message>
+    <message>
+        <source>%1 The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 El equipo anterior sigue en uso.</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parar</translation>
     </message>
 </context>
 <context>
@@ -1499,11 +1504,6 @@
       <translation>Abriendo el equipo</translation>
     </message>
     <message>
-      <source>%1 goes on where it was.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 sigue donde estaba.</translation>
-    </message>
-    <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotografías de %1</translation>
@@ -1512,19 +1512,6 @@
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pulse el disparador de la cámara %1.</translation>
-    </message>
-    <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>La fotografía ya tomada de este lado está a salvo.</numerusform>
-        <numerusform>Las %n fotografías ya tomadas de este lado están a salvo.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>Camera %1 at stop %2: %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1, parada %2: %3</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1577,21 +1564,6 @@
       <translation>Puede despejar el plato.</translation>
     </message>
     <message>
-      <source>Look at the plate before you clear it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mire el plato antes de despejarlo</translation>
-    </message>
-    <message>
-      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anverso arriba, un dedo de separación, las marcas del borde libres.</translation>
-    </message>
-    <message>
-      <source>Hands off the table. Esc stops it at once.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Manos fuera de la mesa. Esc la detiene al instante.</translation>
-    </message>
-    <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se pueden mover o cambiar de sitio, pero no perder ninguno.</translation>
@@ -1600,11 +1572,6 @@
       <source>%1 is in the queue; the next batch is one key away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 está en la cola; la siguiente tanda está a una tecla.</translation>
-    </message>
-    <message>
-      <source>Space goes on all the same, R photographs the backs again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Espacio continúa igualmente, R fotografía otra vez los reversos.</translation>
     </message>
     <message>
       <source>Done</source>
@@ -1632,11 +1599,6 @@
       <translation>Siguiente tanda</translation>
     </message>
     <message>
-      <source>It is right: into the queue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Está bien: a la cola</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un momento</translation>
@@ -1658,14 +1620,6 @@
       <source>Front %1, back %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anverso %1, reverso %2</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fotografía a salvo</numerusform>
-        <numerusform>%n fotografías a salvo</numerusform>
-      </translation>
     </message>
     <message>
       <source>This camera shows no live picture.</source>
@@ -1694,11 +1648,6 @@
       <source>%1 reaches out of the picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se sale de la imagen</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marcas %1 de %2</translation>
     </message>
     <message>
       <source>%1 % of the sherds is too dark</source>
@@ -1734,16 +1683,6 @@
       <translation>Buscando qué retiene la cámara</translation>
     </message>
     <message>
-      <source>Making the desktop let go of the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Haciendo que el escritorio suelte la cámara</translation>
-    </message>
-    <message>
-      <source>Make the desktop let go</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hacer que el escritorio la suelte</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1 fragmentos, las fotos muestran %2: busque uno que esté oculto, toque a otro o no se haya colocado.</translation>
@@ -1752,16 +1691,6 @@
       <source>You counted %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2, %3 are needed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marcas %1 de %2, hacen falta %3</translation>
-    </message>
-    <message>
-      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sus fragmentos están en la revisión (Ctrl+3): mire mientras aún están aquí</translation>
     </message>
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
@@ -1809,11 +1738,6 @@
         <translation>El equipo virtual da la vuelta a los fragmentos</translation>
     </message>
     <message>
-        <source>The table stands still. Saved photographs are kept.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>El plato está parado. Las fotos guardadas se conservan.</translation>
-    </message>
-    <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Nada que hacer a mano: fotografíe los reversos.</translation>
@@ -1847,6 +1771,87 @@
         <source>Lighting OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Iluminación correcta</translation>
+    </message>
+    <message>
+      <source>%1 resumes where it stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 sigue donde estaba.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>La fotografía ya tomada de este lado está a salvo.</numerusform>
+        <numerusform>Las %n fotografías ya tomadas de este lado están a salvo.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at position %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1, parada %2: %3</translation>
+    </message>
+    <message>
+      <source>Check the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mire el plato antes de despejarlo</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anverso arriba, un dedo de separación, las marcas del borde libres.</translation>
+    </message>
+    <message>
+      <source>Hands off the turntable. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Manos fuera de la mesa. Esc la detiene al instante.</translation>
+    </message>
+    <message>
+      <source>Space accepts anyway, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espacio continúa igualmente, R fotografía otra vez los reversos.</translation>
+    </message>
+    <message>
+      <source>Accept and queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Está bien: a la cola</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) saved</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fotografía a salvo</numerusform>
+        <numerusform>%n fotografías a salvo</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marcas %1 de %2</translation>
+    </message>
+    <message>
+      <source>Releasing the camera from the desktop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Haciendo que el escritorio suelte la cámara</translation>
+    </message>
+    <message>
+      <source>Release camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hacer que el escritorio la suelte</translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2, %3 needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marcas %1 de %2, hacen falta %3</translation>
+    </message>
+    <message>
+      <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sus fragmentos están en la revisión (Ctrl+3): mire mientras aún están aquí</translation>
+    </message>
+    <message>
+        <source>The turntable stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El plato está parado. Las fotos guardadas se conservan.</translation>
     </message>
 </context>
 <context>
@@ -1915,11 +1920,6 @@
       <translation>%1 importado: %2</translation>
     </message>
     <message>
-      <source>Import …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importar …</translation>
-    </message>
-    <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Números, contextos y descripciones de una tabla, o una exportación (%1)</translation>
@@ -1958,11 +1958,6 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La importación de %1 se interrumpió tras %2 de %3 filas; estas están completas. Impórtela otra vez para el resto.</translation>
-    </message>
-    <message>
-      <source>Do not tell this again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No volver a avisar de esto</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -2015,12 +2010,17 @@
         <translation>Un fragmento anulado no recibe etiqueta, dibujo ni lugar en un plato, y su número no se vuelve a dar. ¿Está anulado %1: «%2»?</translation>
     </message>
     <message>
-        <source>no number yet</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>aún sin número</translation>
+      <source>Import…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar …</translation>
     </message>
     <message>
-        <source>Yes, it is void</source>
+      <source>Dismiss</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No volver a avisar de esto</translation>
+    </message>
+    <message>
+        <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sí, está anulado</translation>
     </message>
@@ -2048,11 +2048,6 @@
       <translation>Cómo se dibujan las superficies</translation>
     </message>
     <message>
-      <source>Light and shade of the form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Luz y sombra de la forma</translation>
-    </message>
-    <message>
       <source>With paint and slip</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Con pintura y engobe</translation>
@@ -2061,21 +2056,6 @@
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si es un borde</translation>
-    </message>
-    <message>
-      <source>As the parts say, or as is likely</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Según las partes, o según lo probable</translation>
-    </message>
-    <message>
-      <source>It is a rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un borde</translation>
-    </message>
-    <message>
-      <source>It is no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un borde</translation>
     </message>
     <message>
       <source>Scale</source>
@@ -2098,16 +2078,6 @@
       <translation>Anotar el diámetro</translation>
     </message>
     <message>
-      <source>Save …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardar …</translation>
-    </message>
-    <message>
-      <source>Print …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imprimir …</translation>
-    </message>
-    <message>
       <source>Print the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imprimir el dibujo</translation>
@@ -2123,16 +2093,6 @@
       <translation>Detener</translation>
     </message>
     <message>
-      <source>The sheet before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La hoja anterior</translation>
-    </message>
-    <message>
-      <source>The next sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La hoja siguiente</translation>
-    </message>
-    <message>
       <source>What the drawing says</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que dice el dibujo</translation>
@@ -2143,22 +2103,9 @@
       <translation>Dibujos</translation>
     </message>
     <message>
-      <source>Stopped; nothing was drawn.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenido; no se dibujó nada.</translation>
-    </message>
-    <message>
       <source>A sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una hoja</translation>
-    </message>
-    <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Dibujando %n fragmento …</numerusform>
-        <numerusform>Dibujando %n fragmentos …</numerusform>
-      </translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
@@ -2223,6 +2170,59 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El dibujo va a la impresora; imprímalo al 100 %.</translation>
     </message>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Luz y sombra de la forma</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Según las partes, o según lo probable</translation>
+    </message>
+    <message>
+      <source>Rim sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un borde</translation>
+    </message>
+    <message>
+      <source>No rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un borde</translation>
+    </message>
+    <message>
+      <source>Save…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar …</translation>
+    </message>
+    <message>
+      <source>Print…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimir …</translation>
+    </message>
+    <message>
+      <source>Previous sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La hoja anterior</translation>
+    </message>
+    <message>
+      <source>Next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La hoja siguiente</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; no se dibujó nada.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Dibujando %n fragmento …</numerusform>
+        <numerusform>Dibujando %n fragmentos …</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
@@ -2230,16 +2230,6 @@
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tamaño de la exportación</translation>
-    </message>
-    <message>
-      <source>Counting …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Contando …</translation>
-    </message>
-    <message>
-      <source>No sherd fits; choose others.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún fragmento cumple; elija otros.</translation>
     </message>
     <message>
       <source>less than a minute</source>
@@ -2302,7 +2292,17 @@
       <translation>Exportación</translation>
     </message>
     <message>
-      <source>Stopped; nothing was left behind.</source>
+      <source>Counting…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Contando …</translation>
+    </message>
+    <message>
+      <source>No sherds match this selection.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún fragmento cumple; elija otros.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenida; no quedó nada a medias.</translation>
     </message>
@@ -2380,11 +2380,6 @@
       <translation>Nueva carpeta para la exportación</translation>
     </message>
     <message>
-      <source>Choose …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elegir …</translation>
-    </message>
-    <message>
       <source>Progress of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Avance de la exportación</translation>
@@ -2393,11 +2388,6 @@
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abrir la carpeta</translation>
-    </message>
-    <message>
-      <source>Where shall the folder be?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>¿Dónde estará la carpeta?</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2428,11 +2418,6 @@
       <translation>1 : 2</translation>
     </message>
     <message>
-      <source>as fits A4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>según A4</translation>
-    </message>
-    <message>
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablas (ODS): LibreOffice, Excel</translation>
@@ -2451,11 +2436,6 @@
       <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De PLY, GLB y OBJ: con menos triángulos los archivos son mucho menores. Su desviación se mide y consta en cada uno.</translation>
-    </message>
-    <message>
-      <source>lighter, to %1 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>más ligeros, hasta %1 mm</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2502,6 +2482,26 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Fragmentos seleccionados</translation>
     </message>
+    <message>
+      <source>Choose…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elegir …</translation>
+    </message>
+    <message>
+      <source>Folder for the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Dónde estará la carpeta?</translation>
+    </message>
+    <message>
+      <source>fit to A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>según A4</translation>
+    </message>
+    <message>
+      <source>simplified, within %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>más ligeros, hasta %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2520,11 +2520,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras se buscan en todas partes; también sirven ware:grey, grosor&gt;6, -burnt, nota:*.</translation>
     </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Quitar la condición %1</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2532,6 +2527,11 @@
         <numerusform>%n fragmento</numerusform>
         <numerusform>%n fragmentos</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Remove the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quitar la condición %1</translation>
     </message>
 </context>
 <context>
@@ -2631,14 +2631,14 @@
       <translation>Licencia Apache 2.0. Usa, entre otros, Qt (LGPL 3), VTK y OpenCV; el archivo LICENSE y el README los nombran todos.</translation>
     </message>
     <message>
-      <source>Nothing leaves this computer: there is no network in it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nada sale de este ordenador: no hay red en él.</translation>
-    </message>
-    <message>
       <source>The manual is in English.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El manual solo está en inglés.</translation>
+    </message>
+    <message>
+      <source>Nothing leaves this computer: the program uses no network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nada sale de este ordenador: no hay red en él.</translation>
     </message>
 </context>
 <context>
@@ -2649,34 +2649,9 @@
       <translation>nuevo</translation>
     </message>
     <message>
-      <source>changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cambiado</translation>
-    </message>
-    <message>
-      <source>refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rechazado</translation>
-    </message>
-    <message>
-      <source>as it is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>como está</translation>
-    </message>
-    <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importar al catálogo</translation>
-    </message>
-    <message>
-      <source>A table (CSV) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una tabla (CSV) …</translation>
-    </message>
-    <message>
-      <source>An export folder …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una carpeta de exportación …</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2684,19 +2659,9 @@
       <translation>Crear los yacimientos, cortes, contextos y bolsas que aún no existen</translation>
     </message>
     <message>
-      <source>What each row would do</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que haría cada fila</translation>
-    </message>
-    <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Avance de la importación</translation>
-    </message>
-    <message>
-      <source>Save what is refused …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardar lo rechazado …</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2714,16 +2679,6 @@
       <translation>¿Qué exportación?</translation>
     </message>
     <message>
-      <source>Save what is refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardar lo rechazado</translation>
-    </message>
-    <message>
-      <source>refused.csv</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rechazados.csv</translation>
-    </message>
-    <message>
       <source>Tables (*.csv)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablas (*.csv)</translation>
@@ -2734,31 +2689,6 @@
       <translation>Guardado: %1</translation>
     </message>
     <message>
-      <source>line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>línea</translation>
-    </message>
-    <message>
-      <source>what happens</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>qué ocurre</translation>
-    </message>
-    <message>
-      <source>why not</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>por qué no</translation>
-    </message>
-    <message>
-      <source>Looking at it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mirándola …</translation>
-    </message>
-    <message>
-      <source>Entered: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anotado: %1</translation>
-    </message>
-    <message>
       <source>Close</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cerrar</translation>
@@ -2767,19 +2697,6 @@
       <source>Stop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detener</translation>
-    </message>
-    <message>
-      <source>Take nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No tomar nada</translation>
-    </message>
-    <message numerus="yes">
-      <source>Enter %n row(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Anotar %n fila</numerusform>
-        <numerusform>Anotar %n filas</numerusform>
-      </translation>
     </message>
     <message>
       <source>Keep the other versions</source>
@@ -2822,6 +2739,89 @@
             <numerusform>Confirmar %n filas</numerusform>
         </translation>
     </message>
+    <message>
+      <source>updated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiado</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rechazado</translation>
+    </message>
+    <message>
+      <source>unchanged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>como está</translation>
+    </message>
+    <message>
+      <source>Table (CSV)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una tabla (CSV) …</translation>
+    </message>
+    <message>
+      <source>Export folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una carpeta de exportación …</translation>
+    </message>
+    <message>
+      <source>Effect of each row</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que haría cada fila</translation>
+    </message>
+    <message>
+      <source>Save rejected rows…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar lo rechazado …</translation>
+    </message>
+    <message>
+      <source>Save rejected rows</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar lo rechazado</translation>
+    </message>
+    <message>
+      <source>rejected.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rechazados.csv</translation>
+    </message>
+    <message>
+      <source>Line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>línea</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>qué ocurre</translation>
+    </message>
+    <message>
+      <source>Reason</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>por qué no</translation>
+    </message>
+    <message>
+      <source>Reading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mirándola …</translation>
+    </message>
+    <message>
+      <source>Imported: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anotado: %1</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No tomar nada</translation>
+    </message>
+    <message numerus="yes">
+      <source>Import %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Anotar %n fila</numerusform>
+        <numerusform>Anotar %n filas</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2836,27 +2836,9 @@
       <translation>Vista previa de una importación</translation>
     </message>
     <message>
-      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 nuevos, %2 cambiados, %3 como están, %4 rechazados.</translation>
-    </message>
-    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importar</translation>
-    </message>
-    <message>
-      <source>Stopped; nothing was entered.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenido; no se anotó nada.</translation>
-    </message>
-    <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Detenido: %n fila no se ha introducido. Importe la tabla otra vez para el resto.</numerusform>
-        <numerusform>Detenido: %n filas no se han introducido. Importe la tabla otra vez para el resto.</numerusform>
-      </translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2865,6 +2847,24 @@
             <numerusform>%n fila debe confirmarse.</numerusform>
             <numerusform>%n filas deben confirmarse.</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 nuevos, %2 cambiados, %3 como están, %4 rechazados.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; no se anotó nada.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Detenido: %n fila no se ha introducido. Importe la tabla otra vez para el resto.</numerusform>
+        <numerusform>Detenido: %n filas no se han introducido. Importe la tabla otra vez para el resto.</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2968,11 +2968,6 @@
       <translation>Se está deteniendo el cálculo; continúa cuando el proyecto se abra otra vez. La ventana se cierra en un momento.</translation>
     </message>
     <message>
-      <source>Queue: mending masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cola: corregir las máscaras</translation>
-    </message>
-    <message>
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deshacer: %1</translation>
@@ -2988,16 +2983,6 @@
       <translation>No se pudo copiar el catálogo: %1</translation>
     </message>
     <message>
-      <source>%1 (can only be read)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (solo lectura)</translation>
-    </message>
-    <message>
-      <source>This project can only be read: look at everything; changes are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este proyecto solo se puede leer: mire todo; los cambios se rechazan.</translation>
-    </message>
-    <message>
         <source>%1 is ready.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 está listo.</translation>
@@ -3011,6 +2996,21 @@
         <source>Redo: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+      <source>Queue: editing masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cola: corregir las máscaras</translation>
+    </message>
+    <message>
+      <source>%1 (read-only)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (solo lectura)</translation>
+    </message>
+    <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto solo se puede leer: mire todo; los cambios se rechazan.</translation>
     </message>
 </context>
 <context>
@@ -3222,24 +3222,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>Outlines laid over each other, and their turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Contornos superpuestos, y sus ángulos de giro</translation>
-    </message>
-    <message>
       <source>The turning angles differ by %1 rad.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los ángulos de giro difieren en %1 rad.</translation>
-    </message>
-    <message>
-      <source>outlines on each other</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>contornos superpuestos</translation>
-    </message>
-    <message>
-      <source>turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ángulos de giro</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -3250,6 +3235,21 @@
       <source>differ by %1 rad</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>difieren en %1 rad</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid, and their turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Contornos superpuestos, y sus ángulos de giro</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contornos superpuestos</translation>
+    </message>
+    <message>
+      <source>Turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ángulos de giro</translation>
     </message>
 </context>
 <context>
@@ -3268,26 +3268,6 @@
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay reverso elegido.</translation>
-    </message>
-    <message>
-      <source>The rims do not meet here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes no se encuentran aquí.</translation>
-    </message>
-    <message>
-      <source>Rims %1 apart, %2 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bordes separados %1, se encuentra el %2.</translation>
-    </message>
-    <message>
-      <source>Turned by hand; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girado a mano; B deja que los bordes ajusten.</translation>
-    </message>
-    <message>
-      <source>Start point %1; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Punto inicial %1; B deja que los bordes ajusten.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
@@ -3320,19 +3300,9 @@
       <translation>apartar %1</translation>
     </message>
     <message>
-      <source>One of the two has no back to be joined.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Uno de los dos no tiene reverso que unir.</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>punto inicial</translation>
-    </message>
-    <message>
-      <source>settling by the rims</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ajuste por los bordes</translation>
     </message>
     <message>
       <source>turning by hand</source>
@@ -3345,11 +3315,6 @@
       <translation>Modelo cerrado</translation>
     </message>
     <message>
-      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta pareja aún no tiene modelo cerrado; se hace al calcular la tanda.</translation>
-    </message>
-    <message>
       <source>Picture of a pair</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imagen de una pareja</translation>
@@ -3358,11 +3323,6 @@
       <source>More candidates</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Más candidatos</translation>
-    </message>
-    <message>
-      <source>This back lies alone.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este reverso está solo.</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3385,11 +3345,6 @@
       <translation>Lo que solo se probó ya no existe: sus parejas se cerraron desde entonces.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado, con su nombre; pero los bordes de %1 y %2 apenas se encuentran: el %3.</translation>
-    </message>
-    <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>repetición de %1</translation>
@@ -3403,6 +3358,51 @@
         <source>splitting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>división de %1</translation>
+    </message>
+    <message>
+      <source>The fractures do not touch here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los bordes no se encuentran aquí.</translation>
+    </message>
+    <message>
+      <source>Fractures %1 apart, %2 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bordes separados %1, se encuentra el %2.</translation>
+    </message>
+    <message>
+      <source>Turned by hand; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girado a mano; B deja que los bordes ajusten.</translation>
+    </message>
+    <message>
+      <source>Start point %1; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Punto inicial %1; B deja que los bordes ajusten.</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Uno de los dos no tiene reverso que unir.</translation>
+    </message>
+    <message>
+      <source>refining the fit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajuste por los bordes</translation>
+    </message>
+    <message>
+      <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta pareja aún no tiene modelo cerrado; se hace al calcular la tanda.</translation>
+    </message>
+    <message>
+      <source>This back has no partner.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este reverso está solo.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado, con su nombre; pero los bordes de %1 y %2 apenas se encuentran: el %3.</translation>
     </message>
 </context>
 <context>
@@ -3476,14 +3476,14 @@
       <translation>sin bolsa: aún sin números</translation>
     </message>
     <message>
-      <source>site-trench-context-bag, please</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>yacimiento-corte-contexto-bolsa, por favor</translation>
-    </message>
-    <message>
       <source>New: %1 (Esc takes it back)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nuevo: %1 (Esc lo deshace)</translation>
+    </message>
+    <message>
+      <source>write site-trench-context-bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yacimiento-corte-contexto-bolsa, por favor</translation>
     </message>
 </context>
 <context>
@@ -3656,11 +3656,6 @@
 <context>
     <name>ostraka::ui::Rail</name>
     <message>
-      <source>Stations</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Puestos</translation>
-    </message>
-    <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1  %2</translation>
@@ -3669,6 +3664,11 @@
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Screens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Puestos</translation>
     </message>
 </context>
 <context>
@@ -3739,11 +3739,6 @@
       <translation>Apartar</translation>
     </message>
     <message>
-      <source>The rims are compared … Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparando los bordes … Esc detiene.</translation>
-    </message>
-    <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>… y el otro extremo</translation>
@@ -3752,11 +3747,6 @@
       <source>Pairs of the batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parejas de la tanda</translation>
-    </message>
-    <message>
-      <source>The rims settle: %1. Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes se asientan: %1. Esc detiene.</translation>
     </message>
     <message>
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
@@ -3843,6 +3833,16 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Intro</translation>
     </message>
+    <message>
+      <source>Comparing the fractures… Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparando los bordes … Esc detiene.</translation>
+    </message>
+    <message>
+      <source>Refining the fit, fracture gap %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los bordes se asientan: %1. Esc detiene.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
@@ -3867,37 +3867,9 @@
       <translation>Abriendo %1</translation>
     </message>
     <message>
-      <source>%1 waits to be computed; only what changed is done again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 espera a ser calculada; solo se repite lo que cambió.</translation>
-    </message>
-    <message>
-      <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Las parejas de las piezas nuevas vienen con el cálculo.</translation>
-    </message>
-    <message>
-      <source>Taken back. Both are kept in the history.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Retirado. Ambos quedan en el historial.</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado, con su nombre.</translation>
-    </message>
-    <message>
-      <source>No pair needs your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ninguna pareja necesita su ojo</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n pareja necesita su ojo</numerusform>
-        <numerusform>%n parejas necesitan su ojo</numerusform>
-      </translation>
     </message>
     <message>
       <source>Review</source>
@@ -3905,34 +3877,9 @@
       <translation>Revisión</translation>
     </message>
     <message>
-      <source>None of the measures of %1 is sure. %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ninguna de las medidas de %1 es segura. %2</translation>
-    </message>
-    <message>
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelos de %1</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Cuando se calcule, el fragmento unido no tendrá número y %1 queda sin pieza. Deshacer los separa de nuevo.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Cuando se calcule, el fragmento unido conserva el número %1 y %2 queda sin pieza. Deshacer los separa de nuevo.</translation>
-    </message>
-    <message>
-      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Al calcular, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -3968,6 +3915,59 @@
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 se volvió a fotografiar como %2 en %3 y ahora tiene dos registros. Anule uno en el catálogo o aparte aquí el fragmento.</translation>
+    </message>
+    <message>
+      <source>%1 is queued; only what changed is reprocessed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 espera a ser calculada; solo se repite lo que cambió.</translation>
+    </message>
+    <message>
+      <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Las parejas de las piezas nuevas vienen con el cálculo.</translation>
+    </message>
+    <message>
+      <source>Undone. The history keeps both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Retirado. Ambos quedan en el historial.</translation>
+    </message>
+    <message>
+      <source>No pairs to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna pareja necesita su ojo</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n pareja necesita su ojo</numerusform>
+        <numerusform>%n parejas necesitan su ojo</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>No measurement of %1 is certain. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna de las medidas de %1 es segura. %2</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Cuando se calcule, el fragmento unido no tendrá número y %1 queda sin pieza. Deshacer los separa de nuevo.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Cuando se calcule, el fragmento unido conserva el número %1 y %2 queda sin pieza. Deshacer los separa de nuevo.</translation>
+    </message>
+    <message>
+      <source>%1 has no scale: no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Al calcular, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
     </message>
 </context>
 <context>
@@ -4295,16 +4295,6 @@
       <translation>contexto</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>aún sin número</translation>
-    </message>
-    <message>
-      <source>Give the number %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dar el número %1</translation>
-    </message>
-    <message>
       <source>added</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>añadido</translation>
@@ -4369,17 +4359,14 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>calculado; sustituido por el valor medido</translation>
     </message>
+    <message>
+      <source>Assign number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dar el número %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-    <message numerus="yes">
-      <source>number %n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>numerar %n fragmento</numerusform>
-        <numerusform>numerar %n fragmentos</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Other changes are still being saved; wait for them, or stop them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4395,11 +4382,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Números</translation>
     </message>
-    <message>
-      <source>Stopped; nothing was changed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenido; no cambió nada.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4407,6 +4389,19 @@
         <numerusform>%n fragmento no recibió número: %1</numerusform>
         <numerusform>%n fragmentos no recibieron número: %1</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+      <source>numbering of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>numerar %n fragmento</numerusform>
+        <numerusform>numerar %n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; no cambió nada.</translation>
     </message>
 </context>
 <context>
@@ -4425,11 +4420,6 @@
       <source>not recorded</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>no registrado</translation>
-    </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>aún sin número</translation>
     </message>
     <message>
       <source>%1: %2, in doubt</source>
@@ -4560,13 +4550,6 @@
       <translation>Proyectos</translation>
     </message>
     <message>
-      <source>%1
-%2 is not there: find it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1
-%2 no está: búsquelo …</translation>
-    </message>
-    <message>
       <source>Where is %1 now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>¿Dónde está %1 ahora?</translation>
@@ -4611,6 +4594,13 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Abrir el proyecto</translation>
     </message>
+    <message>
+      <source>%1
+%2 is not there: find it…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 no está: búsquelo …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4620,7 +4610,7 @@
       <translation>Fotografías de este lado</translation>
     </message>
     <message>
-      <source>%1 of %2 stops are done</source>
+      <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de %2 paradas hechas</translation>
     </message>
@@ -4707,11 +4697,6 @@
 <context>
     <name>ostraka::ui::MaskModel</name>
     <message>
-      <source>%1, camera %2, stop %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, cámara %2, parada %3</translation>
-    </message>
-    <message>
       <source>Mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Máscara</translation>
@@ -4735,6 +4720,11 @@
       <source>paint on a mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>pintar en una máscara</translation>
+    </message>
+    <message>
+      <source>%1, camera %2, position %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, cámara %2, parada %3</translation>
     </message>
 </context>
 <context>
@@ -4834,11 +4824,6 @@
 <context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fragmento será</translation>
-    </message>
-    <message>
       <source>First number of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Primer número de este ordenador</translation>
@@ -4862,11 +4847,6 @@
       <source>Num&amp;bers of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Números de este &amp;ordenador</translation>
-    </message>
-    <message>
-      <source>Number so from &amp;now on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Numerar así desde ahora</translation>
     </message>
     <message>
       <source>Numbers of the open project</source>
@@ -4901,6 +4881,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, y {n} una vez; {n:04} tiene al menos cuatro cifras</translation>
     </message>
+    <message>
+      <source>Example</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento será</translation>
+    </message>
+    <message>
+      <source>Use this &amp;numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Numerar así desde ahora</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
@@ -4933,11 +4923,6 @@
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
-      <source>&amp;Save the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Guardar las palabras</translation>
-    </message>
-    <message>
       <source>&amp;Words for</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pala&amp;bras para</translation>
@@ -4948,29 +4933,9 @@
       <translation>Una palabra que ya usan fragmentos se queda; cambie antes esos.</translation>
     </message>
     <message>
-      <source>&amp;One a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un&amp;a por línea</translation>
-    </message>
-    <message>
       <source>Saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado.</translation>
-    </message>
-    <message>
-      <source>Words of the open project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Palabras del proyecto abierto</translation>
-    </message>
-    <message>
-      <source>Words, one a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Palabras, una por línea</translation>
-    </message>
-    <message>
-      <source>change the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cambiar las palabras</translation>
     </message>
     <message>
       <source>condition</source>
@@ -5003,7 +4968,32 @@
       <translation>superficie</translation>
     </message>
     <message>
-      <source>These words are not saved yet.</source>
+      <source>&amp;Save vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Guardar las palabras</translation>
+    </message>
+    <message>
+      <source>&amp;One per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un&amp;a por línea</translation>
+    </message>
+    <message>
+      <source>Project vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Palabras del proyecto abierto</translation>
+    </message>
+    <message>
+      <source>Terms, one per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Palabras, una por línea</translation>
+    </message>
+    <message>
+      <source>change the vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiar las palabras</translation>
+    </message>
+    <message>
+      <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estas palabras aún no están guardadas.</translation>
     </message>
@@ -9068,6 +9058,21 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>De %1 filas se han introducido %2; la misma importación introduce las demás.</translation>
     </message>
+    <message>
+      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La columna &apos;%1&apos; dice lo mismo que &apos;%2&apos;; sus valores se guardan en un campo propio.</translation>
+    </message>
+    <message>
+      <source>Check the drawing of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Revise el dibujo de %1: %2</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmento %1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9131,11 +9136,6 @@
         <translation>elegido por usted</translation>
     </message>
     <message>
-        <source>no field of this name; kept as a field of your own</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>ningún campo con este nombre; se conserva como campo propio</translation>
-    </message>
-    <message>
         <source>Columns of the table</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Columnas de la tabla</translation>
@@ -9171,11 +9171,6 @@
         <translation>Campo de la columna %1</translation>
     </message>
     <message>
-        <source>leave out</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>omitir</translation>
-    </message>
-    <message>
         <source>own field: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>campo propio: %1</translation>
@@ -9184,6 +9179,16 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Unidad de la columna %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as your own field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ningún campo con este nombre; se conserva como campo propio</translation>
+    </message>
+    <message>
+        <source>skip</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>omitir</translation>
     </message>
 </context>
 <context>

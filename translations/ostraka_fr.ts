@@ -17,14 +17,14 @@
       <translation>Importer</translation>
     </message>
     <message>
-      <source>Import nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien importer</translation>
-    </message>
-    <message>
       <source>Which bag do the sherds of %1 come from?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De quel sac viennent les tessons de %1 ?</translation>
+    </message>
+    <message>
+      <source>Cancel import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne rien importer</translation>
     </message>
 </context>
 <context>
@@ -48,14 +48,14 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des paires ont été décidées ou des masques retouchés pendant le calcul du lot ; recalculez-le pour en tenir compte.</translation>
-    </message>
-    <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : ce numéro a été saisi sur le plateau, mais c&apos;est celui d&apos;un autre tesson ; regardez lequel des deux le porte et donnez à l&apos;autre un nouveau numéro.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des paires ont été décidées ou des masques retouchés pendant le calcul du lot ; recalculez-le pour en tenir compte.</translation>
     </message>
 </context>
 <context>
@@ -74,11 +74,6 @@
       <source>state</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>état</translation>
-    </message>
-    <message>
-      <source>void because</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>annulé parce que</translation>
     </message>
     <message>
       <source>site</source>
@@ -196,19 +191,9 @@
       <translation>largeur, mm</translation>
     </message>
     <message>
-      <source>thickness least, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>épaisseur minimale, mm</translation>
-    </message>
-    <message>
       <source>thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>épaisseur, mm</translation>
-    </message>
-    <message>
-      <source>thickness most, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>épaisseur maximale, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
@@ -219,11 +204,6 @@
       <source>volume, mm³</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>volume, mm³</translation>
-    </message>
-    <message>
-      <source>not seen, %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>non vu, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
@@ -265,18 +245,38 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>face arrière</translation>
     </message>
+    <message>
+      <source>reason voided</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>annulé parce que</translation>
+    </message>
+    <message>
+      <source>minimum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>épaisseur minimale, mm</translation>
+    </message>
+    <message>
+      <source>maximum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>épaisseur maximale, mm</translation>
+    </message>
+    <message>
+      <source>unseen surface, %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>non vu, %</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
     <message>
-      <source>The memory does not suffice; close other programs and try again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mémoire ne suffit pas ; fermez d’autres programmes et réessayez.</translation>
-    </message>
-    <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est un défaut du programme ; signalez-le avec le journal (%1).</translation>
+    </message>
+    <message>
+      <source>Not enough memory. Close other programs and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mémoire ne suffit pas ; fermez d’autres programmes et réessayez.</translation>
     </message>
 </context>
 <context>
@@ -451,11 +451,6 @@
       <translation>annulé</translation>
     </message>
     <message>
-      <source>draft</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>brouillon</translation>
-    </message>
-    <message>
       <source>on a scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>à la balance</translation>
@@ -521,11 +516,6 @@
       <translation>%1 et %2 vont tous deux avec %3.</translation>
     </message>
     <message>
-      <source>Another partner fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre partenaire va presque aussi bien.</translation>
-    </message>
-    <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sa face arrière a été donnée à une autre face avant : %1 est-elle la bonne maintenant ?</translation>
@@ -554,31 +544,6 @@
       <source>The faces cross: %1 of the front lies behind the back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les faces se croisent : %1 de la face avant est derrière la face arrière.</translation>
-    </message>
-    <message>
-      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les deux numérisations n’ont presque pas de cassure commune ; seuls les contours les lient.</translation>
-    </message>
-    <message>
-      <source>The broken edges do not fit: %1 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les cassures ne vont pas ensemble : %1 d’écart.</translation>
-    </message>
-    <message>
-      <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le bord fixe à peine la position : incertaine de %1.</translation>
-    </message>
-    <message>
-      <source>A place %1 along the rim fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un endroit %1 plus loin sur le bord va presque aussi bien.</translation>
-    </message>
-    <message>
-      <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords ne peuvent pas être comparés ; seuls les contours lient ces faces.</translation>
     </message>
     <message>
       <source>shoot again</source>
@@ -659,11 +624,6 @@
       <translation>Décidé par %1 le %2, tourné à la main.</translation>
     </message>
     <message>
-      <source>The rims hardly meet: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords se rencontrent à peine : %1 d’entre eux.</translation>
-    </message>
-    <message>
       <source>by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>à la main</translation>
@@ -674,54 +634,9 @@
       <translation>point de départ</translation>
     </message>
     <message>
-      <source>settled</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ajusté</translation>
-    </message>
-    <message>
-      <source>Turned by hand: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tourné à la main : %1 des bords se rencontrent.</translation>
-    </message>
-    <message>
       <source>Turned by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tourné à la main.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre point de départ est essayé : %1 des bords se rencontrent.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre point de départ est essayé.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims: %1 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajusté par les bords : %1 d’entre eux se rencontrent.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajusté par les bords.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est essayée : %2.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2, rims %3 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est essayée : %2, bords à %3.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2; its rims do not meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est essayée : %2 ; les bords ne se rencontrent pas.</translation>
     </message>
     <message>
       <source>%1 decided for %2.</source>
@@ -897,9 +812,99 @@
         <translation>%1 (calculé %2)</translation>
     </message>
     <message>
-        <source>The two scans share only %1 of the broken edge.</source>
+        <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Les deux numérisations n’ont en commun que %1 de la cassure.</translation>
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pas encore de numéro</translation>
+    </message>
+    <message>
+      <source>Another partner fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre partenaire va presque aussi bien.</translation>
+    </message>
+    <message>
+      <source>The two scans share almost no fracture; only their outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les deux numérisations n’ont presque pas de cassure commune ; seuls les contours les lient.</translation>
+    </message>
+    <message>
+      <source>The fractures do not fit: %1 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les cassures ne vont pas ensemble : %1 d’écart.</translation>
+    </message>
+    <message>
+      <source>The fracture barely fixes the position: uncertain by %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bord fixe à peine la position : incertaine de %1.</translation>
+    </message>
+    <message>
+      <source>A position %1 along the contour fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un endroit %1 plus loin sur le bord va presque aussi bien.</translation>
+    </message>
+    <message>
+      <source>The fractures cannot be compared; only the outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords ne peuvent pas être comparés ; seuls les contours lient ces faces.</translation>
+    </message>
+    <message>
+      <source>The fractures barely touch: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords se rencontrent à peine : %1 d’entre eux.</translation>
+    </message>
+    <message>
+      <source>refined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajusté</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tourné à la main : %1 des bords se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Trying another start point: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre point de départ est essayé : %1 des bords se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Trying another start point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre point de départ est essayé.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures: %1 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajusté par les bords : %1 d’entre eux se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajusté par les bords.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est essayée : %2.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2, fractures %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est essayée : %2, bords à %3.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2; its fractures do not touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est essayée : %2 ; les bords ne se rencontrent pas.</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tesson %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -948,36 +953,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Attention : %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1 est calculé : %n tesson.</numerusform>
-        <numerusform>%1 est calculé : %n tessons.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>You stopped it. What was computed so far is kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vous l’avez arrêté. Ce qui était calculé est gardé.</translation>
-    </message>
-    <message>
-      <source>You took it out of the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vous l’avez retiré de la file.</translation>
-    </message>
     <message>
       <source>again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>de nouveau</translation>
-    </message>
-    <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>En pause ; %n lot attend.</numerusform>
-        <numerusform>En pause ; %n lots attendent.</numerusform>
-      </translation>
     </message>
     <message>
       <source>%1: paused</source>
@@ -1011,19 +990,9 @@
       <translation>%1 attend l'ébauche de %2.</translation>
     </message>
     <message>
-      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La caméra %1 a été heurtée : elle manque les repères de %2 px, à %3 mm de l'endroit de sa calibration.</translation>
-    </message>
-    <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pour ce lot, les caméras ont été retrouvées ; calibrez de nouveau le banc (C).</translation>
-    </message>
-    <message>
-      <source>It did not come to its end; compute it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le calcul n'est pas allé jusqu'au bout ; recalculez le lot.</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1141,6 +1110,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ; assemblés à %2 mm près au plus</translation>
     </message>
+    <message numerus="yes">
+      <source>%1 is ready: %n sherd(s).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 est calculé : %n tesson.</numerusform>
+        <numerusform>%1 est calculé : %n tessons.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>You cancelled it. Finished stages are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous l’avez arrêté. Ce qui était calculé est gardé.</translation>
+    </message>
+    <message>
+      <source>You removed it from the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous l’avez retiré de la file.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) queued.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>En pause ; %n lot attend.</numerusform>
+        <numerusform>En pause ; %n lots attendent.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra %1 a été heurtée : elle manque les repères de %2 px, à %3 mm de l'endroit de sa calibration.</translation>
+    </message>
+    <message>
+      <source>It was interrupted. Reprocess it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le calcul n'est pas allé jusqu'au bout ; recalculez le lot.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
@@ -1220,21 +1225,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aperçu d’une modification</translation>
     </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pas encore de numéro</translation>
-    </message>
-    <message>
-      <source>refused: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>refusé : %1</translation>
-    </message>
-    <message>
-      <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 changent, %2 restent tels quels, %3 sont refusés.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1247,11 +1237,6 @@
       <source>Progress of the changes</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Progression des modifications</translation>
-    </message>
-    <message>
-      <source>Stop and take back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter et annuler</translation>
     </message>
     <message>
         <source>Assign numbers</source>
@@ -1271,14 +1256,24 @@
             <numerusform>%n valeurs sont à confirmer.</numerusform>
         </translation>
     </message>
+    <message>
+      <source>rejected: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refusé : %1</translation>
+    </message>
+    <message>
+      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 changent, %2 restent tels quels, %3 sont refusés.</translation>
+    </message>
+    <message>
+      <source>Cancel and undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter et annuler</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-    <message>
-      <source>Another back …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Autre face arrière …</translation>
-    </message>
     <message>
       <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1310,6 +1305,11 @@
         <source>no contact</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>pas de contact</translation>
+    </message>
+    <message>
+      <source>Another back…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autre face arrière …</translation>
     </message>
 </context>
 <context>
@@ -1346,11 +1346,6 @@
       </translation>
     </message>
     <message>
-      <source>Stop the table</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter la table</translation>
-    </message>
-    <message>
       <source>Photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photographier de nouveau</translation>
@@ -1366,11 +1361,6 @@
       <translation>Importer des numérisations…</translation>
     </message>
     <message>
-      <source>Another rig…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre banc…</translation>
-    </message>
-    <message>
       <source>Camera %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1</translation>
@@ -1379,16 +1369,6 @@
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Prise de vue</translation>
-    </message>
-    <message>
-      <source>The picture is on its way.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image arrive.</translation>
-    </message>
-    <message>
-      <source>Look at this first</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Regardez d’abord ceci</translation>
     </message>
     <message>
       <source>R</source>
@@ -1411,11 +1391,6 @@
       <translation>Saisir les numéros des tessons</translation>
     </message>
     <message>
-      <source>Say how many sherds lie there</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dire combien de tessons sont là</translation>
-    </message>
-    <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce projet ne photographie avec aucun banc calibré qui lui soit propre.</translation>
@@ -1424,16 +1399,6 @@
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc est calibré d'après %1 ; la calibration précédente est gardée sous %2.</translation>
-    </message>
-    <message>
-      <source>The import is stopped; nothing was left behind.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L'importation est arrêtée ; rien n'a été laissé.</translation>
-    </message>
-    <message>
-      <source>Import them all the same</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les importer quand même</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1456,11 +1421,6 @@
       <translation>%1 a déjà %2 de ces %3 fichiers ; rien n'a été importé. Pour les avoir tous, importez-les et mettez %1 de côté dans la file.</translation>
     </message>
     <message>
-      <source>Take this side once more?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Photographier encore une fois cette face ?</translation>
-    </message>
-    <message>
       <source>The bag is another now, the numbers are not</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le sac est maintenant un autre, les numéros non</translation>
@@ -1471,24 +1431,69 @@
       <translation>Pas comme on numérote les tessons de ce sac : %1. Tapez-les de nouveau (N, ou plus tard dans le catalogue), ou dites qu&apos;ils sont justes.</translation>
     </message>
     <message>
-      <source>They are right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ils sont justes</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>OK</translation>
     </message>
     <message>
-        <source>The rig that worked before stays in use.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>L&apos;installation précédente reste utilisée.</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Étape suivante</translation>
+    </message>
+    <message>
+      <source>Stop turntable</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter la table</translation>
+    </message>
+    <message>
+      <source>Change rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre banc…</translation>
+    </message>
+    <message>
+      <source>Loading picture…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image arrive.</translation>
+    </message>
+    <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Regardez d’abord ceci</translation>
+    </message>
+    <message>
+      <source>Type how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dire combien de tessons sont là</translation>
+    </message>
+    <message>
+      <source>Import cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L'importation est arrêtée ; rien n'a été laissé.</translation>
+    </message>
+    <message>
+      <source>Import anyway</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les importer quand même</translation>
+    </message>
+    <message>
+      <source>Photograph this side again?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographier encore une fois cette face ?</translation>
+    </message>
+    <message>
+      <source>Keep these numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ils sont justes</translation>
+    </message>
+    <message>
+        <source>%1 The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 L&apos;installation précédente reste utilisée.</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter</translation>
     </message>
 </context>
 <context>
@@ -1499,11 +1504,6 @@
       <translation>Ouverture du banc</translation>
     </message>
     <message>
-      <source>%1 goes on where it was.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 reprend où il en était.</translation>
-    </message>
-    <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photographies de %1</translation>
@@ -1512,19 +1512,6 @@
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appuyez sur le déclencheur de l’appareil %1.</translation>
-    </message>
-    <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>La photographie déjà prise de cette face est en sûreté.</numerusform>
-        <numerusform>Les %n photographies déjà prises de cette face sont en sûreté.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>Camera %1 at stop %2: %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1, arrêt %2 : %3</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1577,21 +1564,6 @@
       <translation>Vous pouvez débarrasser le plateau.</translation>
     </message>
     <message>
-      <source>Look at the plate before you clear it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Regardez le plateau avant de le débarrasser</translation>
-    </message>
-    <message>
-      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Face avant vers le haut, un doigt d’écart, les repères du bord dégagés.</translation>
-    </message>
-    <message>
-      <source>Hands off the table. Esc stops it at once.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne touchez pas la table. Échap l’arrête aussitôt.</translation>
-    </message>
-    <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Décaler est permis, échanger aussi, en perdre un non.</translation>
@@ -1600,11 +1572,6 @@
       <source>%1 is in the queue; the next batch is one key away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est dans la file ; le lot suivant est à une touche.</translation>
-    </message>
-    <message>
-      <source>Space goes on all the same, R photographs the backs again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Espace continue quand même, R photographie de nouveau les faces arrière.</translation>
     </message>
     <message>
       <source>Done</source>
@@ -1632,11 +1599,6 @@
       <translation>Lot suivant</translation>
     </message>
     <message>
-      <source>It is right: into the queue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est juste : dans la file</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un instant</translation>
@@ -1658,14 +1620,6 @@
       <source>Front %1, back %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Avant %1, arrière %2</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n photographie en sûreté</numerusform>
-        <numerusform>%n photographies en sûreté</numerusform>
-      </translation>
     </message>
     <message>
       <source>This camera shows no live picture.</source>
@@ -1694,11 +1648,6 @@
       <source>%1 reaches out of the picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 sort de l’image</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repères %1 sur %2</translation>
     </message>
     <message>
       <source>%1 % of the sherds is too dark</source>
@@ -1734,16 +1683,6 @@
       <translation>Recherche de ce qui retient l’appareil</translation>
     </message>
     <message>
-      <source>Making the desktop let go of the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le bureau doit libérer l’appareil</translation>
-    </message>
-    <message>
-      <source>Make the desktop let go</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Libérer l’appareil du bureau</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous avez compté %1 tessons, les photos en montrent %2 : cherchez celui qui est caché, qui en touche un autre ou qui n'a pas été posé.</translation>
@@ -1752,16 +1691,6 @@
       <source>You counted %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous en avez compté %1</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2, %3 are needed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repères %1 sur %2, il en faut %3</translation>
-    </message>
-    <message>
-      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ses tessons sont dans la vérification (Ctrl+3) : regardez tant qu'ils sont encore là</translation>
     </message>
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
@@ -1809,11 +1738,6 @@
         <translation>L&apos;installation virtuelle retourne les tessons</translation>
     </message>
     <message>
-        <source>The table stands still. Saved photographs are kept.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Le plateau est arrêté. Les photos enregistrées sont conservées.</translation>
-    </message>
-    <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Rien à faire à la main : photographiez les revers.</translation>
@@ -1847,6 +1771,87 @@
         <source>Lighting OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Éclairage correct</translation>
+    </message>
+    <message>
+      <source>%1 resumes where it stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 reprend où il en était.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>La photographie déjà prise de cette face est en sûreté.</numerusform>
+        <numerusform>Les %n photographies déjà prises de cette face sont en sûreté.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at position %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1, arrêt %2 : %3</translation>
+    </message>
+    <message>
+      <source>Check the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Regardez le plateau avant de le débarrasser</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Face avant vers le haut, un doigt d’écart, les repères du bord dégagés.</translation>
+    </message>
+    <message>
+      <source>Hands off the turntable. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne touchez pas la table. Échap l’arrête aussitôt.</translation>
+    </message>
+    <message>
+      <source>Space accepts anyway, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espace continue quand même, R photographie de nouveau les faces arrière.</translation>
+    </message>
+    <message>
+      <source>Accept and queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est juste : dans la file</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) saved</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n photographie en sûreté</numerusform>
+        <numerusform>%n photographies en sûreté</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Repères %1 sur %2</translation>
+    </message>
+    <message>
+      <source>Releasing the camera from the desktop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bureau doit libérer l’appareil</translation>
+    </message>
+    <message>
+      <source>Release camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Libérer l’appareil du bureau</translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2, %3 needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Repères %1 sur %2, il en faut %3</translation>
+    </message>
+    <message>
+      <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ses tessons sont dans la vérification (Ctrl+3) : regardez tant qu'ils sont encore là</translation>
+    </message>
+    <message>
+        <source>The turntable stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le plateau est arrêté. Les photos enregistrées sont conservées.</translation>
     </message>
 </context>
 <context>
@@ -1915,11 +1920,6 @@
       <translation>%1 importé : %2</translation>
     </message>
     <message>
-      <source>Import …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importer …</translation>
-    </message>
-    <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numéros, contextes et descriptions d’un tableau, ou une exportation (%1)</translation>
@@ -1958,11 +1958,6 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L'importation de %1 s'est interrompue après %2 lignes sur %3 ; celles-ci sont complètes. Importez de nouveau pour le reste.</translation>
-    </message>
-    <message>
-      <source>Do not tell this again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne plus le signaler</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -2015,12 +2010,17 @@
         <translation>Un tesson annulé ne reçoit ni étiquette, ni dessin, ni place sur un plateau, et son numéro n’est plus jamais donné. %1 est-il annulé : « %2 » ?</translation>
     </message>
     <message>
-        <source>no number yet</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>pas encore de numéro</translation>
+      <source>Import…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer …</translation>
     </message>
     <message>
-        <source>Yes, it is void</source>
+      <source>Dismiss</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne plus le signaler</translation>
+    </message>
+    <message>
+        <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Oui, il est annulé</translation>
     </message>
@@ -2048,11 +2048,6 @@
       <translation>Comment les surfaces sont dessinées</translation>
     </message>
     <message>
-      <source>Light and shade of the form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lumière et ombre de la forme</translation>
-    </message>
-    <message>
       <source>With paint and slip</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Avec peinture et engobe</translation>
@@ -2061,21 +2056,6 @@
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si c’est un bord</translation>
-    </message>
-    <message>
-      <source>As the parts say, or as is likely</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Selon les parties, ou selon la vraisemblance</translation>
-    </message>
-    <message>
-      <source>It is a rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est un bord</translation>
-    </message>
-    <message>
-      <source>It is no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un bord</translation>
     </message>
     <message>
       <source>Scale</source>
@@ -2098,16 +2078,6 @@
       <translation>Inscrire le diamètre</translation>
     </message>
     <message>
-      <source>Save …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistrer …</translation>
-    </message>
-    <message>
-      <source>Print …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imprimer …</translation>
-    </message>
-    <message>
       <source>Print the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imprimer le dessin</translation>
@@ -2123,16 +2093,6 @@
       <translation>Arrêter</translation>
     </message>
     <message>
-      <source>The sheet before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La feuille précédente</translation>
-    </message>
-    <message>
-      <source>The next sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La feuille suivante</translation>
-    </message>
-    <message>
       <source>What the drawing says</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce que dit le dessin</translation>
@@ -2143,22 +2103,9 @@
       <translation>Dessins</translation>
     </message>
     <message>
-      <source>Stopped; nothing was drawn.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; rien n’a été dessiné.</translation>
-    </message>
-    <message>
       <source>A sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une feuille</translation>
-    </message>
-    <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Dessin de %n tesson …</numerusform>
-        <numerusform>Dessin de %n tessons …</numerusform>
-      </translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
@@ -2223,6 +2170,59 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dessin part à l’imprimante ; imprimez-le à 100 %.</translation>
     </message>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lumière et ombre de la forme</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Selon les parties, ou selon la vraisemblance</translation>
+    </message>
+    <message>
+      <source>Rim sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est un bord</translation>
+    </message>
+    <message>
+      <source>No rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un bord</translation>
+    </message>
+    <message>
+      <source>Save…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistrer …</translation>
+    </message>
+    <message>
+      <source>Print…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimer …</translation>
+    </message>
+    <message>
+      <source>Previous sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La feuille précédente</translation>
+    </message>
+    <message>
+      <source>Next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La feuille suivante</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêté ; rien n’a été dessiné.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Dessin de %n tesson …</numerusform>
+        <numerusform>Dessin de %n tessons …</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
@@ -2230,16 +2230,6 @@
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Taille de l’exportation</translation>
-    </message>
-    <message>
-      <source>Counting …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comptage …</translation>
-    </message>
-    <message>
-      <source>No sherd fits; choose others.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun tesson ne convient ; choisissez-en d’autres.</translation>
     </message>
     <message>
       <source>less than a minute</source>
@@ -2302,7 +2292,17 @@
       <translation>Exportation</translation>
     </message>
     <message>
-      <source>Stopped; nothing was left behind.</source>
+      <source>Counting…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comptage …</translation>
+    </message>
+    <message>
+      <source>No sherds match this selection.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson ne convient ; choisissez-en d’autres.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté ; rien n’est resté.</translation>
     </message>
@@ -2380,11 +2380,6 @@
       <translation>Nouveau dossier pour l’exportation</translation>
     </message>
     <message>
-      <source>Choose …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Choisir …</translation>
-    </message>
-    <message>
       <source>Progress of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Progression de l’exportation</translation>
@@ -2393,11 +2388,6 @@
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ouvrir le dossier</translation>
-    </message>
-    <message>
-      <source>Where shall the folder be?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Où mettre le dossier ?</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2428,11 +2418,6 @@
       <translation>1 : 2</translation>
     </message>
     <message>
-      <source>as fits A4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>selon A4</translation>
-    </message>
-    <message>
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tableaux (ODS) : LibreOffice, Excel</translation>
@@ -2451,11 +2436,6 @@
       <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pour PLY, GLB et OBJ : avec moins de triangles, les fichiers sont bien plus petits. Leur écart est mesuré et inscrit dans chacun.</translation>
-    </message>
-    <message>
-      <source>lighter, to %1 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>allégés, à %1 mm près</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2502,6 +2482,26 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tessons sélectionnés</translation>
     </message>
+    <message>
+      <source>Choose…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir …</translation>
+    </message>
+    <message>
+      <source>Folder for the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Où mettre le dossier ?</translation>
+    </message>
+    <message>
+      <source>fit to A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>selon A4</translation>
+    </message>
+    <message>
+      <source>simplified, within %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>allégés, à %1 mm près</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2520,11 +2520,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots sont cherchés partout ; ware:grey, épaisseur&gt;6, -burnt, remarque:* fonctionnent aussi.</translation>
     </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enlever la condition %1</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2532,6 +2527,11 @@
         <numerusform>%n tesson</numerusform>
         <numerusform>%n tessons</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Remove the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enlever la condition %1</translation>
     </message>
 </context>
 <context>
@@ -2631,14 +2631,14 @@
       <translation>Licence Apache 2.0. Il utilise entre autres Qt (LGPL 3), VTK et OpenCV ; le fichier LICENSE et le README les nomment tous.</translation>
     </message>
     <message>
-      <source>Nothing leaves this computer: there is no network in it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rien ne quitte cet ordinateur : il n’y a pas de réseau dedans.</translation>
-    </message>
-    <message>
       <source>The manual is in English.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le manuel n’existe qu’en anglais.</translation>
+    </message>
+    <message>
+      <source>Nothing leaves this computer: the program uses no network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rien ne quitte cet ordinateur : il n’y a pas de réseau dedans.</translation>
     </message>
 </context>
 <context>
@@ -2649,34 +2649,9 @@
       <translation>nouveau</translation>
     </message>
     <message>
-      <source>changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modifié</translation>
-    </message>
-    <message>
-      <source>refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>refusé</translation>
-    </message>
-    <message>
-      <source>as it is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>tel quel</translation>
-    </message>
-    <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importer dans le catalogue</translation>
-    </message>
-    <message>
-      <source>A table (CSV) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tableau (CSV) …</translation>
-    </message>
-    <message>
-      <source>An export folder …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un dossier d’exportation …</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2684,19 +2659,9 @@
       <translation>Créer les sites, tranchées, contextes et sacs qui manquent</translation>
     </message>
     <message>
-      <source>What each row would do</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce que ferait chaque ligne</translation>
-    </message>
-    <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Progression de l’importation</translation>
-    </message>
-    <message>
-      <source>Save what is refused …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistrer ce qui est refusé …</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2714,16 +2679,6 @@
       <translation>Quelle exportation ?</translation>
     </message>
     <message>
-      <source>Save what is refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistrer ce qui est refusé</translation>
-    </message>
-    <message>
-      <source>refused.csv</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>refuses.csv</translation>
-    </message>
-    <message>
       <source>Tables (*.csv)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tableaux (*.csv)</translation>
@@ -2734,31 +2689,6 @@
       <translation>Enregistré : %1</translation>
     </message>
     <message>
-      <source>line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ligne</translation>
-    </message>
-    <message>
-      <source>what happens</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ce qui arrive</translation>
-    </message>
-    <message>
-      <source>why not</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pourquoi pas</translation>
-    </message>
-    <message>
-      <source>Looking at it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Examen …</translation>
-    </message>
-    <message>
-      <source>Entered: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Inscrit : %1</translation>
-    </message>
-    <message>
       <source>Close</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fermer</translation>
@@ -2767,19 +2697,6 @@
       <source>Stop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêter</translation>
-    </message>
-    <message>
-      <source>Take nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien prendre</translation>
-    </message>
-    <message numerus="yes">
-      <source>Enter %n row(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Inscrire %n ligne</numerusform>
-        <numerusform>Inscrire %n lignes</numerusform>
-      </translation>
     </message>
     <message>
       <source>Keep the other versions</source>
@@ -2822,6 +2739,89 @@
             <numerusform>Confirmer %n lignes</numerusform>
         </translation>
     </message>
+    <message>
+      <source>updated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modifié</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refusé</translation>
+    </message>
+    <message>
+      <source>unchanged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tel quel</translation>
+    </message>
+    <message>
+      <source>Table (CSV)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tableau (CSV) …</translation>
+    </message>
+    <message>
+      <source>Export folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dossier d’exportation …</translation>
+    </message>
+    <message>
+      <source>Effect of each row</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce que ferait chaque ligne</translation>
+    </message>
+    <message>
+      <source>Save rejected rows…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistrer ce qui est refusé …</translation>
+    </message>
+    <message>
+      <source>Save rejected rows</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistrer ce qui est refusé</translation>
+    </message>
+    <message>
+      <source>rejected.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refuses.csv</translation>
+    </message>
+    <message>
+      <source>Line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ligne</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ce qui arrive</translation>
+    </message>
+    <message>
+      <source>Reason</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pourquoi pas</translation>
+    </message>
+    <message>
+      <source>Reading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Examen …</translation>
+    </message>
+    <message>
+      <source>Imported: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inscrit : %1</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne rien prendre</translation>
+    </message>
+    <message numerus="yes">
+      <source>Import %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Inscrire %n ligne</numerusform>
+        <numerusform>Inscrire %n lignes</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2836,27 +2836,9 @@
       <translation>Aperçu d’une importation</translation>
     </message>
     <message>
-      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 nouveaux, %2 modifiés, %3 tels quels, %4 refusés.</translation>
-    </message>
-    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importation</translation>
-    </message>
-    <message>
-      <source>Stopped; nothing was entered.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; rien n’a été inscrit.</translation>
-    </message>
-    <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Arrêté : %n ligne n'est pas saisie. Importez de nouveau le tableau pour le reste.</numerusform>
-        <numerusform>Arrêté : %n lignes ne sont pas saisies. Importez de nouveau le tableau pour le reste.</numerusform>
-      </translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2865,6 +2847,24 @@
             <numerusform>%n ligne est à confirmer.</numerusform>
             <numerusform>%n lignes sont à confirmer.</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 nouveaux, %2 modifiés, %3 tels quels, %4 refusés.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêté ; rien n’a été inscrit.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Arrêté : %n ligne n'est pas saisie. Importez de nouveau le tableau pour le reste.</numerusform>
+        <numerusform>Arrêté : %n lignes ne sont pas saisies. Importez de nouveau le tableau pour le reste.</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2968,11 +2968,6 @@
       <translation>Le calcul s’arrête ; il reprendra à la réouverture du projet. La fenêtre se ferme dans un instant.</translation>
     </message>
     <message>
-      <source>Queue: mending masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>File : corriger les masques</translation>
-    </message>
-    <message>
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annuler : %1</translation>
@@ -2988,16 +2983,6 @@
       <translation>Le catalogue n’a pas pu être copié : %1</translation>
     </message>
     <message>
-      <source>%1 (can only be read)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (lecture seule)</translation>
-    </message>
-    <message>
-      <source>This project can only be read: look at everything; changes are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce projet ne peut être que lu : regardez tout ; les modifications sont refusées.</translation>
-    </message>
-    <message>
         <source>%1 is ready.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 est prêt.</translation>
@@ -3011,6 +2996,21 @@
         <source>Redo: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Rétablir : %1</translation>
+    </message>
+    <message>
+      <source>Queue: editing masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>File : corriger les masques</translation>
+    </message>
+    <message>
+      <source>%1 (read-only)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (lecture seule)</translation>
+    </message>
+    <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet ne peut être que lu : regardez tout ; les modifications sont refusées.</translation>
     </message>
 </context>
 <context>
@@ -3222,24 +3222,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>Outlines laid over each other, and their turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Contours superposés, et leurs angles de rotation</translation>
-    </message>
-    <message>
       <source>The turning angles differ by %1 rad.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les angles de rotation diffèrent de %1 rad.</translation>
-    </message>
-    <message>
-      <source>outlines on each other</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>contours superposés</translation>
-    </message>
-    <message>
-      <source>turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>angles de rotation</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -3250,6 +3235,21 @@
       <source>differ by %1 rad</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>diffèrent de %1 rad</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid, and their turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Contours superposés, et leurs angles de rotation</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contours superposés</translation>
+    </message>
+    <message>
+      <source>Turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>angles de rotation</translation>
     </message>
 </context>
 <context>
@@ -3268,26 +3268,6 @@
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune face arrière n’est choisie.</translation>
-    </message>
-    <message>
-      <source>The rims do not meet here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords ne se rencontrent pas ici.</translation>
-    </message>
-    <message>
-      <source>Rims %1 apart, %2 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bords à %1, %2 d’entre eux se rencontrent.</translation>
-    </message>
-    <message>
-      <source>Turned by hand; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tourné à la main ; B laisse les bords s’ajuster.</translation>
-    </message>
-    <message>
-      <source>Start point %1; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Point de départ %1 ; B laisse les bords s’ajuster.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
@@ -3320,19 +3300,9 @@
       <translation>mise de côté de %1</translation>
     </message>
     <message>
-      <source>One of the two has no back to be joined.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’un des deux n’a pas de face arrière à joindre.</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>point de départ</translation>
-    </message>
-    <message>
-      <source>settling by the rims</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ajustement par les bords</translation>
     </message>
     <message>
       <source>turning by hand</source>
@@ -3345,11 +3315,6 @@
       <translation>Modèle fermé</translation>
     </message>
     <message>
-      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette paire n’a pas encore de modèle fermé ; il est fait au calcul du lot.</translation>
-    </message>
-    <message>
       <source>Picture of a pair</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Image d’une paire</translation>
@@ -3358,11 +3323,6 @@
       <source>More candidates</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Autres candidats</translation>
-    </message>
-    <message>
-      <source>This back lies alone.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette face arrière est seule.</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3385,11 +3345,6 @@
       <translation>Ce qui n’était qu’un essai n’existe plus : ses paires ont été fermées depuis.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré, avec votre nom ; mais les bords de %1 et %2 se rencontrent à peine : %3 d’entre eux.</translation>
-    </message>
-    <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>nouvelle prise de %1</translation>
@@ -3403,6 +3358,51 @@
         <source>splitting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>scission de %1</translation>
+    </message>
+    <message>
+      <source>The fractures do not touch here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords ne se rencontrent pas ici.</translation>
+    </message>
+    <message>
+      <source>Fractures %1 apart, %2 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bords à %1, %2 d’entre eux se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Turned by hand; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tourné à la main ; B laisse les bords s’ajuster.</translation>
+    </message>
+    <message>
+      <source>Start point %1; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Point de départ %1 ; B laisse les bords s’ajuster.</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’un des deux n’a pas de face arrière à joindre.</translation>
+    </message>
+    <message>
+      <source>refining the fit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajustement par les bords</translation>
+    </message>
+    <message>
+      <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette paire n’a pas encore de modèle fermé ; il est fait au calcul du lot.</translation>
+    </message>
+    <message>
+      <source>This back has no partner.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette face arrière est seule.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré, avec votre nom ; mais les bords de %1 et %2 se rencontrent à peine : %3 d’entre eux.</translation>
     </message>
 </context>
 <context>
@@ -3476,14 +3476,14 @@
       <translation>pas de sac : pas encore de numéros</translation>
     </message>
     <message>
-      <source>site-trench-context-bag, please</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>site-tranchée-contexte-sac, s’il vous plaît</translation>
-    </message>
-    <message>
       <source>New: %1 (Esc takes it back)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nouveau : %1 (Échap l’annule)</translation>
+    </message>
+    <message>
+      <source>write site-trench-context-bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>site-tranchée-contexte-sac, s’il vous plaît</translation>
     </message>
 </context>
 <context>
@@ -3656,11 +3656,6 @@
 <context>
     <name>ostraka::ui::Rail</name>
     <message>
-      <source>Stations</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Postes</translation>
-    </message>
-    <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1  %2</translation>
@@ -3669,6 +3664,11 @@
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Screens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Postes</translation>
     </message>
 </context>
 <context>
@@ -3739,11 +3739,6 @@
       <translation>Mettre de côté</translation>
     </message>
     <message>
-      <source>The rims are compared … Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparaison des bords … Échap arrête.</translation>
-    </message>
-    <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>… et l’autre bout</translation>
@@ -3752,11 +3747,6 @@
       <source>Pairs of the batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Paires du lot</translation>
-    </message>
-    <message>
-      <source>The rims settle: %1. Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords se calent : %1. Échap arrête.</translation>
     </message>
     <message>
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
@@ -3843,6 +3833,16 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Entrée</translation>
     </message>
+    <message>
+      <source>Comparing the fractures… Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparaison des bords … Échap arrête.</translation>
+    </message>
+    <message>
+      <source>Refining the fit, fracture gap %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords se calent : %1. Échap arrête.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
@@ -3867,37 +3867,9 @@
       <translation>Ouverture de %1</translation>
     </message>
     <message>
-      <source>%1 waits to be computed; only what changed is done again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 attend d’être calculé ; seul ce qui a changé est refait.</translation>
-    </message>
-    <message>
-      <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Les paires des nouveaux morceaux viennent avec le calcul.</translation>
-    </message>
-    <message>
-      <source>Taken back. Both are kept in the history.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repris. Les deux restent dans l’historique.</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré, avec votre nom.</translation>
-    </message>
-    <message>
-      <source>No pair needs your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune paire n’a besoin de votre œil</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n paire a besoin de votre œil</numerusform>
-        <numerusform>%n paires ont besoin de votre œil</numerusform>
-      </translation>
     </message>
     <message>
       <source>Review</source>
@@ -3905,34 +3877,9 @@
       <translation>Vérification</translation>
     </message>
     <message>
-      <source>None of the measures of %1 is sure. %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune des mesures de %1 n’est sûre. %2</translation>
-    </message>
-    <message>
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modèles de %1</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Une fois le calcul fait, le tesson réuni n’aura pas de numéro, et %1 reste sans pièce. Annuler les sépare de nouveau.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Une fois le calcul fait, le tesson réuni garde le numéro %1, et %2 reste sans pièce. Annuler les sépare de nouveau.</translation>
-    </message>
-    <message>
-      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune longueur n'est connue sur %1 : aucun chiffre ni aucune longueur affichés ici ne sont en millimètres.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Au calcul, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les réunit.</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -3968,6 +3915,59 @@
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 a été rephotographié comme %2 dans %3 et a maintenant deux fiches. Annulez-en une dans le catalogue ou mettez le fragment de côté ici.</translation>
+    </message>
+    <message>
+      <source>%1 is queued; only what changed is reprocessed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 attend d’être calculé ; seul ce qui a changé est refait.</translation>
+    </message>
+    <message>
+      <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Les paires des nouveaux morceaux viennent avec le calcul.</translation>
+    </message>
+    <message>
+      <source>Undone. The history keeps both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Repris. Les deux restent dans l’historique.</translation>
+    </message>
+    <message>
+      <source>No pairs to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune paire n’a besoin de votre œil</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n paire a besoin de votre œil</numerusform>
+        <numerusform>%n paires ont besoin de votre œil</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>No measurement of %1 is certain. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune des mesures de %1 n’est sûre. %2</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Une fois le calcul fait, le tesson réuni n’aura pas de numéro, et %1 reste sans pièce. Annuler les sépare de nouveau.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Une fois le calcul fait, le tesson réuni garde le numéro %1, et %2 reste sans pièce. Annuler les sépare de nouveau.</translation>
+    </message>
+    <message>
+      <source>%1 has no scale: no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune longueur n'est connue sur %1 : aucun chiffre ni aucune longueur affichés ici ne sont en millimètres.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Au calcul, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les réunit.</translation>
     </message>
 </context>
 <context>
@@ -4295,16 +4295,6 @@
       <translation>contexte</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pas encore de numéro</translation>
-    </message>
-    <message>
-      <source>Give the number %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Donner le numéro %1</translation>
-    </message>
-    <message>
       <source>added</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ajouté</translation>
@@ -4369,17 +4359,14 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>calculé ; remplacé par la valeur mesurée</translation>
     </message>
+    <message>
+      <source>Assign number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Donner le numéro %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-    <message numerus="yes">
-      <source>number %n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>numéroter %n tesson</numerusform>
-        <numerusform>numéroter %n tessons</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Other changes are still being saved; wait for them, or stop them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4395,11 +4382,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numéros</translation>
     </message>
-    <message>
-      <source>Stopped; nothing was changed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; rien n’a été modifié.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4407,6 +4389,19 @@
         <numerusform>%n tesson n’a pas reçu de numéro : %1</numerusform>
         <numerusform>%n tessons n’ont pas reçu de numéro : %1</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+      <source>numbering of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>numéroter %n tesson</numerusform>
+        <numerusform>numéroter %n tessons</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêté ; rien n’a été modifié.</translation>
     </message>
 </context>
 <context>
@@ -4425,11 +4420,6 @@
       <source>not recorded</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>non relevé</translation>
-    </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pas encore de numéro</translation>
     </message>
     <message>
       <source>%1: %2, in doubt</source>
@@ -4560,13 +4550,6 @@
       <translation>Projets</translation>
     </message>
     <message>
-      <source>%1
-%2 is not there: find it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1
-%2 n’est plus là : le retrouver …</translation>
-    </message>
-    <message>
       <source>Where is %1 now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Où est %1 maintenant ?</translation>
@@ -4611,6 +4594,13 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ouvrir le projet</translation>
     </message>
+    <message>
+      <source>%1
+%2 is not there: find it…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 n’est plus là : le retrouver …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4620,7 +4610,7 @@
       <translation>Photographies de cette face</translation>
     </message>
     <message>
-      <source>%1 of %2 stops are done</source>
+      <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 arrêts sur %2 sont faits</translation>
     </message>
@@ -4707,11 +4697,6 @@
 <context>
     <name>ostraka::ui::MaskModel</name>
     <message>
-      <source>%1, camera %2, stop %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, appareil %2, arrêt %3</translation>
-    </message>
-    <message>
       <source>Mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masque</translation>
@@ -4735,6 +4720,11 @@
       <source>paint on a mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>peinture sur un masque</translation>
+    </message>
+    <message>
+      <source>%1, camera %2, position %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, appareil %2, arrêt %3</translation>
     </message>
 </context>
 <context>
@@ -4834,11 +4824,6 @@
 <context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tesson sera</translation>
-    </message>
-    <message>
       <source>First number of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Premier numéro de cet ordinateur</translation>
@@ -4862,11 +4847,6 @@
       <source>Num&amp;bers of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numéros de cet &amp;ordinateur</translation>
-    </message>
-    <message>
-      <source>Number so from &amp;now on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Numéroter ainsi désormais</translation>
     </message>
     <message>
       <source>Numbers of the open project</source>
@@ -4901,6 +4881,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, et {n} une fois ; {n:04} a au moins quatre chiffres</translation>
     </message>
+    <message>
+      <source>Example</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson sera</translation>
+    </message>
+    <message>
+      <source>Use this &amp;numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Numéroter ainsi désormais</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
@@ -4933,11 +4923,6 @@
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
-      <source>&amp;Save the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En&amp;registrer les mots</translation>
-    </message>
-    <message>
       <source>&amp;Words for</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Mots pour</translation>
@@ -4948,29 +4933,9 @@
       <translation>Un mot déjà employé par des tessons reste ; changez d’abord ceux-ci.</translation>
     </message>
     <message>
-      <source>&amp;One a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un par li&amp;gne</translation>
-    </message>
-    <message>
       <source>Saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré.</translation>
-    </message>
-    <message>
-      <source>Words of the open project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mots du projet ouvert</translation>
-    </message>
-    <message>
-      <source>Words, one a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mots, un par ligne</translation>
-    </message>
-    <message>
-      <source>change the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modification des mots</translation>
     </message>
     <message>
       <source>condition</source>
@@ -5003,7 +4968,32 @@
       <translation>surface</translation>
     </message>
     <message>
-      <source>These words are not saved yet.</source>
+      <source>&amp;Save vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En&amp;registrer les mots</translation>
+    </message>
+    <message>
+      <source>&amp;One per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un par li&amp;gne</translation>
+    </message>
+    <message>
+      <source>Project vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mots du projet ouvert</translation>
+    </message>
+    <message>
+      <source>Terms, one per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mots, un par ligne</translation>
+    </message>
+    <message>
+      <source>change the vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modification des mots</translation>
+    </message>
+    <message>
+      <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces mots ne sont pas encore enregistrés.</translation>
     </message>
@@ -9068,6 +9058,21 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sur %1 lignes, %2 sont enregistrées ; la même importation enregistre les autres.</translation>
     </message>
+    <message>
+      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La colonne &apos;%1&apos; dit la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ à vous.</translation>
+    </message>
+    <message>
+      <source>Check the drawing of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifier le dessin de %1 : %2</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tesson %1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9131,11 +9136,6 @@
         <translation>choisi par vous</translation>
     </message>
     <message>
-        <source>no field of this name; kept as a field of your own</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>aucun champ de ce nom ; gardé comme champ personnel</translation>
-    </message>
-    <message>
         <source>Columns of the table</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Colonnes du tableau</translation>
@@ -9171,11 +9171,6 @@
         <translation>Champ de la colonne %1</translation>
     </message>
     <message>
-        <source>leave out</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>laisser de côté</translation>
-    </message>
-    <message>
         <source>own field: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>champ personnel : %1</translation>
@@ -9184,6 +9179,16 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Unité de la colonne %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as your own field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>aucun champ de ce nom ; gardé comme champ personnel</translation>
+    </message>
+    <message>
+        <source>skip</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>laisser de côté</translation>
     </message>
 </context>
 <context>

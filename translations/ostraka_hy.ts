@@ -17,14 +17,14 @@
       <translation>Ներմուծել</translation>
     </message>
     <message>
-      <source>Import nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չներմուծել</translation>
-    </message>
-    <message>
       <source>Which bag do the sherds of %1 come from?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ո՞ր տոպրակից են %1-ի բեկորները։</translation>
+    </message>
+    <message>
+      <source>Cancel import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չներմուծել</translation>
     </message>
 </context>
 <context>
@@ -48,14 +48,14 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակի հաշվարկի ընթացքում զույգեր են որոշվել կամ դիմակներ ուղղվել. դրանց համար նորից հաշվարկեք։</translation>
-    </message>
-    <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. այս համարը գրվել է սալի վրա, բայց այլ բեկորինն է. նայեք՝ երկուսից որն է կրում այն, և մյուսին նոր համար տվեք։</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի հաշվարկի ընթացքում զույգեր են որոշվել կամ դիմակներ ուղղվել. դրանց համար նորից հաշվարկեք։</translation>
     </message>
 </context>
 <context>
@@ -74,11 +74,6 @@
       <source>state</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>վիճակ</translation>
-    </message>
-    <message>
-      <source>void because</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>անվավեր է, քանի որ</translation>
     </message>
     <message>
       <source>site</source>
@@ -196,19 +191,9 @@
       <translation>լայնություն, mm</translation>
     </message>
     <message>
-      <source>thickness least, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>նվազագույն հաստություն, mm</translation>
-    </message>
-    <message>
       <source>thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հաստություն, mm</translation>
-    </message>
-    <message>
-      <source>thickness most, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>առավելագույն հաստություն, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
@@ -219,11 +204,6 @@
       <source>volume, mm³</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ծավալ, mm³</translation>
-    </message>
-    <message>
-      <source>not seen, %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>չերևացած, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
@@ -265,18 +245,38 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հետևի երես</translation>
     </message>
+    <message>
+      <source>reason voided</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անվավեր է, քանի որ</translation>
+    </message>
+    <message>
+      <source>minimum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նվազագույն հաստություն, mm</translation>
+    </message>
+    <message>
+      <source>maximum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առավելագույն հաստություն, mm</translation>
+    </message>
+    <message>
+      <source>unseen surface, %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>չերևացած, %</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
     <message>
-      <source>The memory does not suffice; close other programs and try again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հիշողությունը չի բավականացնում. փակեք այլ ծրագրեր և փորձեք կրկին։</translation>
-    </message>
-    <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա ծրագրի սխալ է. խնդրում ենք հայտնել մատյանի հետ (%1)։</translation>
+    </message>
+    <message>
+      <source>Not enough memory. Close other programs and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հիշողությունը չի բավականացնում. փակեք այլ ծրագրեր և փորձեք կրկին։</translation>
     </message>
 </context>
 <context>
@@ -451,11 +451,6 @@
       <translation>անվավեր</translation>
     </message>
     <message>
-      <source>draft</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>սևագիր</translation>
-    </message>
-    <message>
       <source>on a scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կշեռքով</translation>
@@ -521,11 +516,6 @@
       <translation>%1-ը և %2-ը երկուսն էլ հարմար են %3-ին։</translation>
     </message>
     <message>
-      <source>Another partner fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մեկ այլ զույգ գրեթե նույնքան լավ է հարմարվում։</translation>
-    </message>
-    <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նրա հետևի երեսը տրվել է ուրիշ առջևի երեսի. հիմա ճիշտը %1-ն է՞։</translation>
@@ -554,31 +544,6 @@
       <source>The faces cross: %1 of the front lies behind the back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երեսները հատվում են. առջևի երեսի %1-ը հետևի երեսից այն կողմ է։</translation>
-    </message>
-    <message>
-      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Երկու սկանները գրեթե չունեն ընդհանուր կոտրվածք. նրանց կապում են միայն ուրվագծերը։</translation>
-    </message>
-    <message>
-      <source>The broken edges do not fit: %1 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կոտրվածքները չեն համընկնում. հեռավորությունը %1 է։</translation>
-    </message>
-    <message>
-      <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրը հազիվ է որոշում դիրքը. անորոշությունը %1 է։</translation>
-    </message>
-    <message>
-      <source>A place %1 along the rim fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրով %1 հեռու մի տեղ գրեթե նույնքան լավ է հարմարվում։</translation>
-    </message>
-    <message>
-      <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
     </message>
     <message>
       <source>shoot again</source>
@@ -659,11 +624,6 @@
       <translation>Որոշել է %1-ը, %2, ձեռքով շրջված։</translation>
     </message>
     <message>
-      <source>The rims hardly meet: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը հազիվ են հանդիպում՝ %1-ը։</translation>
-    </message>
-    <message>
       <source>by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ձեռքով</translation>
@@ -674,54 +634,9 @@
       <translation>սկզբնակետ</translation>
     </message>
     <message>
-      <source>settled</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հարմարեցված</translation>
-    </message>
-    <message>
-      <source>Turned by hand: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շրջված է ձեռքով. հանդիպում է եզրերի %1-ը։</translation>
-    </message>
-    <message>
       <source>Turned by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Շրջված է ձեռքով։</translation>
-    </message>
-    <message>
-      <source>Another start point is tried: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է ուրիշ սկզբնակետ. հանդիպում է եզրերի %1-ը։</translation>
-    </message>
-    <message>
-      <source>Another start point is tried.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է ուրիշ սկզբնակետ։</translation>
-    </message>
-    <message>
-      <source>Settled by the rims: %1 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հարմարեցված է եզրերով. հանդիպում է %1-ը։</translation>
-    </message>
-    <message>
-      <source>Settled by the rims.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հարմարեցված է եզրերով։</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է %1-ը՝ %2։</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2, rims %3 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է %1-ը՝ %2, եզրերի հեռավորությունը %3։</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2; its rims do not meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է %1-ը՝ %2. եզրերը չեն հանդիպում։</translation>
     </message>
     <message>
       <source>%1 decided for %2.</source>
@@ -897,9 +812,99 @@
         <translation>%1 (հաշվարկված %2)</translation>
     </message>
     <message>
-        <source>The two scans share only %1 of the broken edge.</source>
+        <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Երկու սկանների համար ընդհանուր է կոտրվածքի միայն %1-ը։</translation>
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դեռ համար չկա</translation>
+    </message>
+    <message>
+      <source>Another partner fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ զույգ գրեթե նույնքան լավ է հարմարվում։</translation>
+    </message>
+    <message>
+      <source>The two scans share almost no fracture; only their outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու սկանները գրեթե չունեն ընդհանուր կոտրվածք. նրանց կապում են միայն ուրվագծերը։</translation>
+    </message>
+    <message>
+      <source>The fractures do not fit: %1 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոտրվածքները չեն համընկնում. հեռավորությունը %1 է։</translation>
+    </message>
+    <message>
+      <source>The fracture barely fixes the position: uncertain by %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրը հազիվ է որոշում դիրքը. անորոշությունը %1 է։</translation>
+    </message>
+    <message>
+      <source>A position %1 along the contour fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրով %1 հեռու մի տեղ գրեթե նույնքան լավ է հարմարվում։</translation>
+    </message>
+    <message>
+      <source>The fractures cannot be compared; only the outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
+    </message>
+    <message>
+      <source>The fractures barely touch: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը հազիվ են հանդիպում՝ %1-ը։</translation>
+    </message>
+    <message>
+      <source>refined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հարմարեցված</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շրջված է ձեռքով. հանդիպում է եզրերի %1-ը։</translation>
+    </message>
+    <message>
+      <source>Trying another start point: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձվում է ուրիշ սկզբնակետ. հանդիպում է եզրերի %1-ը։</translation>
+    </message>
+    <message>
+      <source>Trying another start point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձվում է ուրիշ սկզբնակետ։</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures: %1 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հարմարեցված է եզրերով. հանդիպում է %1-ը։</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հարմարեցված է եզրերով։</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձվում է %1-ը՝ %2։</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2, fractures %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձվում է %1-ը՝ %2, եզրերի հեռավորությունը %3։</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2; its fractures do not touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձվում է %1-ը՝ %2. եզրերը չեն հանդիպում։</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2, բեկոր %1</translation>
     </message>
 </context>
 <context>
@@ -948,36 +953,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զգուշացում՝ %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
-        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>You stopped it. What was computed so far is kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դուք կանգնեցրիք։ Մինչև հիմա հաշվարկվածը պահվում է։</translation>
-    </message>
-    <message>
-      <source>You took it out of the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դուք հանեցիք հերթից։</translation>
-    </message>
     <message>
       <source>again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կրկին</translation>
-    </message>
-    <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Դադար. սպասում է %n խմբաքանակ։</numerusform>
-        <numerusform>Դադար. սպասում է %n խմբաքանակ։</numerusform>
-      </translation>
     </message>
     <message>
       <source>%1: paused</source>
@@ -1011,19 +990,9 @@
       <translation>%1-ը սպասում է %2-ի սևագրին։</translation>
     </message>
     <message>
-      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տեսախցիկը տեղաշարժվել է. վրիպում է նշաններից %2 px, տրամաչափման տեղից %3 մմ հեռու։</translation>
-    </message>
-    <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակի համար տեսախցիկները նորից գտնվել են. նորից տրամաչափեք սարքակազմը (C)։</translation>
-    </message>
-    <message>
-      <source>It did not come to its end; compute it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Չհասավ ավարտին. հաշվարկեք նորից։</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1141,6 +1110,42 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. միացված են առավելագույնը %2 mm սխալով</translation>
     </message>
+    <message numerus="yes">
+      <source>%1 is ready: %n sherd(s).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
+        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>You cancelled it. Finished stages are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք կանգնեցրիք։ Մինչև հիմա հաշվարկվածը պահվում է։</translation>
+    </message>
+    <message>
+      <source>You removed it from the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք հանեցիք հերթից։</translation>
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) queued.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Դադար. սպասում է %n խմբաքանակ։</numerusform>
+        <numerusform>Դադար. սպասում է %n խմբաքանակ։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը տեղաշարժվել է. վրիպում է նշաններից %2 px, տրամաչափման տեղից %3 մմ հեռու։</translation>
+    </message>
+    <message>
+      <source>It was interrupted. Reprocess it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չհասավ ավարտին. հաշվարկեք նորից։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
@@ -1220,21 +1225,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոփոխության նախադիտում</translation>
     </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դեռ համար չկա</translation>
-    </message>
-    <message>
-      <source>refused: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մերժված է՝ %1</translation>
-    </message>
-    <message>
-      <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը փոխվում է, %2-ը մնում է, %3-ը մերժվում է։</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1247,11 +1237,6 @@
       <source>Progress of the changes</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոփոխությունների ընթացքը</translation>
-    </message>
-    <message>
-      <source>Stop and take back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել և հետ վերցնել</translation>
     </message>
     <message>
         <source>Assign numbers</source>
@@ -1271,14 +1256,24 @@
             <numerusform>%n արժեք հաստատման կարիք ունի։</numerusform>
         </translation>
     </message>
+    <message>
+      <source>rejected: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մերժված է՝ %1</translation>
+    </message>
+    <message>
+      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը փոխվում է, %2-ը մնում է, %3-ը մերժվում է։</translation>
+    </message>
+    <message>
+      <source>Cancel and undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել և հետ վերցնել</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-    <message>
-      <source>Another back …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այլ հետևի երես …</translation>
-    </message>
     <message>
       <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1310,6 +1305,11 @@
         <source>no contact</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>հպում չկա</translation>
+    </message>
+    <message>
+      <source>Another back…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ հետևի երես …</translation>
     </message>
 </context>
 <context>
@@ -1346,11 +1346,6 @@
       </translation>
     </message>
     <message>
-      <source>Stop the table</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել</translation>
-    </message>
-    <message>
       <source>Photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարել կրկին</translation>
@@ -1366,11 +1361,6 @@
       <translation>Ներմուծել սկաններ…</translation>
     </message>
     <message>
-      <source>Another rig…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այլ սարքակազմ…</translation>
-    </message>
-    <message>
       <source>Camera %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1</translation>
@@ -1379,16 +1369,6 @@
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նկարահանում</translation>
-    </message>
-    <message>
-      <source>The picture is on its way.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պատկերը գալիս է։</translation>
-    </message>
-    <message>
-      <source>Look at this first</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նախ նայեք սրան</translation>
     </message>
     <message>
       <source>R</source>
@@ -1411,11 +1391,6 @@
       <translation>Մուտքագրել խեցաբեկորների համարները</translation>
     </message>
     <message>
-      <source>Say how many sherds lie there</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ասել, թե քանի բեկոր կա</translation>
-    </message>
-    <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս նախագիծը չունի սեփական տրամաչափված սարքակազմ։</translation>
@@ -1424,16 +1399,6 @@
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմը տրամաչափված է ըստ %1-ի. նախորդը պահված է որպես %2։</translation>
-    </message>
-    <message>
-      <source>The import is stopped; nothing was left behind.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծումը կանգնեցված է. ոչինչ չի մնացել։</translation>
-    </message>
-    <message>
-      <source>Import them all the same</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծել այնուամենայնիվ</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1456,11 +1421,6 @@
       <translation>%1-ն արդեն ունի այս %3 ֆայլից %2-ը. ոչինչ չի ներմուծվել։ Բոլորն ունենալու համար ներմուծեք դրանք և %1-ը հերթում մի կողմ դրեք։</translation>
     </message>
     <message>
-      <source>Take this side once more?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարե՞լ այս կողմը ևս մեկ անգամ</translation>
-    </message>
-    <message>
       <source>The bag is another now, the numbers are not</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակն այժմ ուրիշ է, համարները՝ ոչ</translation>
@@ -1471,24 +1431,69 @@
       <translation>Այնպես չեն, ինչպես համարակալվում են այս տոպրակի բեկորները. %1։ Մուտքագրեք դրանք նորից (N, կամ հետո՝ գրացուցակում) կամ ասեք, որ ճիշտ են։</translation>
     </message>
     <message>
-      <source>They are right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դրանք ճիշտ են</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Լավ</translation>
     </message>
     <message>
-        <source>The rig that worked before stays in use.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Նախկին սարքակազմը մնում է գործածության մեջ:</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Հաջորդ քայլը</translation>
+    </message>
+    <message>
+      <source>Stop turntable</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
+    </message>
+    <message>
+      <source>Change rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ սարքակազմ…</translation>
+    </message>
+    <message>
+      <source>Loading picture…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերը գալիս է։</translation>
+    </message>
+    <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախ նայեք սրան</translation>
+    </message>
+    <message>
+      <source>Type how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ասել, թե քանի բեկոր կա</translation>
+    </message>
+    <message>
+      <source>Import cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծումը կանգնեցված է. ոչինչ չի մնացել։</translation>
+    </message>
+    <message>
+      <source>Import anyway</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել այնուամենայնիվ</translation>
+    </message>
+    <message>
+      <source>Photograph this side again?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարե՞լ այս կողմը ևս մեկ անգամ</translation>
+    </message>
+    <message>
+      <source>Keep these numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրանք ճիշտ են</translation>
+    </message>
+    <message>
+        <source>%1 The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 Նախկին սարքակազմը մնում է գործածության մեջ:</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
     </message>
 </context>
 <context>
@@ -1499,11 +1504,6 @@
       <translation>Սարքակազմը բացվում է</translation>
     </message>
     <message>
-      <source>%1 goes on where it was.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը շարունակվում է կանգ առած տեղից։</translation>
-    </message>
-    <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի լուսանկարները</translation>
@@ -1512,19 +1512,6 @@
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղմեք %1 տեսախցիկի կոճակը։</translation>
-    </message>
-    <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Այս երեսի %n լուսանկարն ապահով է։</numerusform>
-        <numerusform>Այս երեսի %n լուսանկարներն ապահով են։</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>Camera %1 at stop %2: %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1, կանգառ %2՝ %3</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1577,21 +1564,6 @@
       <translation>Կարող եք ազատել սկավառակը։</translation>
     </message>
     <message>
-      <source>Look at the plate before you clear it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ազատելուց առաջ նայեք սկավառակին</translation>
-    </message>
-    <message>
-      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսը վեր, մեկ մատ հեռավորություն, եզրի նշաններն ազատ։</translation>
-    </message>
-    <message>
-      <source>Hands off the table. Esc stops it at once.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ձեռք մի տվեք սեղանին։ Esc-ը անմիջապես կանգնեցնում է այն։</translation>
-    </message>
-    <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեղաշարժել կարելի է, փոխատեղել՝ նույնպես, կորցնել՝ ոչ։</translation>
@@ -1600,11 +1572,6 @@
       <source>%1 is in the queue; the next batch is one key away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հերթում է. հաջորդ խմբաքանակը մեկ սեղմում հեռու է։</translation>
-    </message>
-    <message>
-      <source>Space goes on all the same, R photographs the backs again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բացատը շարունակում է ամեն դեպքում, R-ը կրկին լուսանկարում է հետևի երեսները։</translation>
     </message>
     <message>
       <source>Done</source>
@@ -1632,11 +1599,6 @@
       <translation>Հաջորդ խմբաքանակը</translation>
     </message>
     <message>
-      <source>It is right: into the queue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ճիշտ է. դնել հերթի</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ վայրկյան</translation>
@@ -1658,14 +1620,6 @@
       <source>Front %1, back %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջև %1, հետև %2</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n լուսանկարն ապահով է</numerusform>
-        <numerusform>%n լուսանկարներն ապահով են</numerusform>
-      </translation>
     </message>
     <message>
       <source>This camera shows no live picture.</source>
@@ -1694,11 +1648,6 @@
       <source>%1 reaches out of the picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը դուրս է գալիս պատկերից</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նշաններ՝ %1 %2-ից</translation>
     </message>
     <message>
       <source>%1 % of the sherds is too dark</source>
@@ -1734,16 +1683,6 @@
       <translation>Որոնվում է, թե ինչն է պահում տեսախցիկը</translation>
     </message>
     <message>
-      <source>Making the desktop let go of the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աշխատասեղանը ազատում է տեսախցիկը</translation>
-    </message>
-    <message>
-      <source>Make the desktop let go</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ազատել տեսախցիկը</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. փնտրեք մեկը, որ թաքնված է, դիպչում է մյուսին կամ չի դրվել։</translation>
@@ -1752,16 +1691,6 @@
       <source>You counted %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2, %3 are needed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նշաններ՝ %1 %2-ից, պետք է %3</translation>
-    </message>
-    <message>
-      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դրա բեկորները ստուգման մեջ են (Ctrl+3). նայեք, քանի դեռ այստեղ են</translation>
     </message>
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
@@ -1809,11 +1738,6 @@
         <translation>Վիրտուալ սարքակազմը շրջում է խեցիները</translation>
     </message>
     <message>
-        <source>The table stands still. Saved photographs are kept.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Սեղանը կանգնած է: Պահված լուսանկարները մնում են:</translation>
-    </message>
-    <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ձեռքով անելիք չկա. լուսանկարեք դարձերեսները:</translation>
@@ -1847,6 +1771,87 @@
         <source>Lighting OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Լույսը կարգին է</translation>
+    </message>
+    <message>
+      <source>%1 resumes where it stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը շարունակվում է կանգ առած տեղից։</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Այս երեսի %n լուսանկարն ապահով է։</numerusform>
+        <numerusform>Այս երեսի %n լուսանկարներն ապահով են։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at position %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1, կանգառ %2՝ %3</translation>
+    </message>
+    <message>
+      <source>Check the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ազատելուց առաջ նայեք սկավառակին</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսը վեր, մեկ մատ հեռավորություն, եզրի նշաններն ազատ։</translation>
+    </message>
+    <message>
+      <source>Hands off the turntable. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեռք մի տվեք սեղանին։ Esc-ը անմիջապես կանգնեցնում է այն։</translation>
+    </message>
+    <message>
+      <source>Space accepts anyway, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացատը շարունակում է ամեն դեպքում, R-ը կրկին լուսանկարում է հետևի երեսները։</translation>
+    </message>
+    <message>
+      <source>Accept and queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ճիշտ է. դնել հերթի</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) saved</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n լուսանկարն ապահով է</numerusform>
+        <numerusform>%n լուսանկարներն ապահով են</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշաններ՝ %1 %2-ից</translation>
+    </message>
+    <message>
+      <source>Releasing the camera from the desktop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աշխատասեղանը ազատում է տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>Release camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ազատել տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2, %3 needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշաններ՝ %1 %2-ից, պետք է %3</translation>
+    </message>
+    <message>
+      <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա բեկորները ստուգման մեջ են (Ctrl+3). նայեք, քանի դեռ այստեղ են</translation>
+    </message>
+    <message>
+        <source>The turntable stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սեղանը կանգնած է: Պահված լուսանկարները մնում են:</translation>
     </message>
 </context>
 <context>
@@ -1915,11 +1920,6 @@
       <translation>%1-ը ներմուծված է՝ %2</translation>
     </message>
     <message>
-      <source>Import …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծել …</translation>
-    </message>
-    <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարներ, համատեքստեր և նկարագրություններ աղյուսակից կամ արտահանում (%1)</translation>
@@ -1958,11 +1958,6 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ներմուծումն ընդհատվել է %3 տողից %2-ից հետո. դրանք ամբողջական են: Մնացածի համար կրկին ներմուծեք:</translation>
-    </message>
-    <message>
-      <source>Do not tell this again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այլևս չհիշեցնել</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -2015,12 +2010,17 @@
         <translation>Անվավեր խեցաբեկորը պիտակ, գծագիր կամ տեղ սկավառակի վրա չի ստանում, և դրա համարն այլևս չի տրվում։ %1-ն անվավե՞ր է. «%2»</translation>
     </message>
     <message>
-        <source>no number yet</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>դեռ համար չունի</translation>
+      <source>Import…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել …</translation>
     </message>
     <message>
-        <source>Yes, it is void</source>
+      <source>Dismiss</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլևս չհիշեցնել</translation>
+    </message>
+    <message>
+        <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այո, անվավեր է</translation>
     </message>
@@ -2048,11 +2048,6 @@
       <translation>Ինչպես են գծվում մակերեսները</translation>
     </message>
     <message>
-      <source>Light and shade of the form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ձևի լույս և ստվեր</translation>
-    </message>
-    <message>
       <source>With paint and slip</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներկով և անգոբով</translation>
@@ -2061,21 +2056,6 @@
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյոք շուրթ է</translation>
-    </message>
-    <message>
-      <source>As the parts say, or as is likely</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ըստ մասերի կամ ըստ հավանականության</translation>
-    </message>
-    <message>
-      <source>It is a rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շուրթ է</translation>
-    </message>
-    <message>
-      <source>It is no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շուրթ չէ</translation>
     </message>
     <message>
       <source>Scale</source>
@@ -2098,16 +2078,6 @@
       <translation>Գրանցել տրամագիծը</translation>
     </message>
     <message>
-      <source>Save …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահել …</translation>
-    </message>
-    <message>
-      <source>Print …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տպել …</translation>
-    </message>
-    <message>
       <source>Print the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպել գծանկարը</translation>
@@ -2123,16 +2093,6 @@
       <translation>Կանգնեցնել</translation>
     </message>
     <message>
-      <source>The sheet before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նախորդ թերթը</translation>
-    </message>
-    <message>
-      <source>The next sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաջորդ թերթը</translation>
-    </message>
-    <message>
       <source>What the drawing says</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ինչ է ասում գծանկարը</translation>
@@ -2143,22 +2103,9 @@
       <translation>Գծանկարներ</translation>
     </message>
     <message>
-      <source>Stopped; nothing was drawn.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի գծվել։</translation>
-    </message>
-    <message>
       <source>A sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ թերթ</translation>
-    </message>
-    <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Գծվում է %n բեկոր …</numerusform>
-        <numerusform>Գծվում է %n բեկոր …</numerusform>
-      </translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
@@ -2223,6 +2170,59 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարն ուղարկվում է տպիչին. տպեք 100 % չափով։</translation>
     </message>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևի լույս և ստվեր</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ըստ մասերի կամ ըստ հավանականության</translation>
+    </message>
+    <message>
+      <source>Rim sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շուրթ է</translation>
+    </message>
+    <message>
+      <source>No rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շուրթ չէ</translation>
+    </message>
+    <message>
+      <source>Save…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել …</translation>
+    </message>
+    <message>
+      <source>Print…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել …</translation>
+    </message>
+    <message>
+      <source>Previous sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ թերթը</translation>
+    </message>
+    <message>
+      <source>Next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ թերթը</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի գծվել։</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Գծվում է %n բեկոր …</numerusform>
+        <numerusform>Գծվում է %n բեկոր …</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
@@ -2230,16 +2230,6 @@
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման չափը</translation>
-    </message>
-    <message>
-      <source>Counting …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաշվում է …</translation>
-    </message>
-    <message>
-      <source>No sherd fits; choose others.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի բեկոր չի համապատասխանում. ընտրեք ուրիշները։</translation>
     </message>
     <message>
       <source>less than a minute</source>
@@ -2302,7 +2292,17 @@
       <translation>Արտահանում</translation>
     </message>
     <message>
-      <source>Stopped; nothing was left behind.</source>
+      <source>Counting…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվում է …</translation>
+    </message>
+    <message>
+      <source>No sherds match this selection.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի բեկոր չի համապատասխանում. ընտրեք ուրիշները։</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցված է. ոչինչ չի մնացել։</translation>
     </message>
@@ -2380,11 +2380,6 @@
       <translation>Նոր պանակ արտահանման համար</translation>
     </message>
     <message>
-      <source>Choose …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ընտրել …</translation>
-    </message>
-    <message>
       <source>Progress of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման ընթացքը</translation>
@@ -2393,11 +2388,6 @@
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացել պանակը</translation>
-    </message>
-    <message>
-      <source>Where shall the folder be?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Որտե՞ղ լինի պանակը։</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2428,11 +2418,6 @@
       <translation>1 : 2</translation>
     </message>
     <message>
-      <source>as fits A4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ըստ A4-ի</translation>
-    </message>
-    <message>
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակներ (ODS)՝ LibreOffice, Excel</translation>
@@ -2451,11 +2436,6 @@
       <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY, GLB և OBJ. քիչ եռանկյուններով նիշքերը շատ ավելի փոքր են։ Շեղումը չափվում և գրվում է յուրաքանչյուրում։</translation>
-    </message>
-    <message>
-      <source>lighter, to %1 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>թեթև, մինչև %1 մմ</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2502,6 +2482,26 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ընտրված խեցիներ</translation>
     </message>
+    <message>
+      <source>Choose…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել …</translation>
+    </message>
+    <message>
+      <source>Folder for the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որտե՞ղ լինի պանակը։</translation>
+    </message>
+    <message>
+      <source>fit to A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ըստ A4-ի</translation>
+    </message>
+    <message>
+      <source>simplified, within %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>թեթև, մինչև %1 մմ</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2520,11 +2520,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բառերը փնտրվում են ամենուր. գործում են նաև ware:grey, հաստություն&gt;6, -burnt, նշում:*։</translation>
     </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հանել %1 պայմանը</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2532,6 +2527,11 @@
         <numerusform>%n բեկոր</numerusform>
         <numerusform>%n բեկոր</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Remove the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հանել %1 պայմանը</translation>
     </message>
 </context>
 <context>
@@ -2631,14 +2631,14 @@
       <translation>Apache License 2.0։ Օգտագործում է, ի թիվս այլոց, Qt (LGPL 3), VTK և OpenCV. LICENSE ֆայլը և README-ն թվարկում են բոլորը։</translation>
     </message>
     <message>
-      <source>Nothing leaves this computer: there is no network in it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ դուրս չի գալիս այս համակարգչից. այն ցանց չունի։</translation>
-    </message>
-    <message>
       <source>The manual is in English.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձեռնարկը միայն անգլերեն է։</translation>
+    </message>
+    <message>
+      <source>Nothing leaves this computer: the program uses no network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ դուրս չի գալիս այս համակարգչից. այն ցանց չունի։</translation>
     </message>
 </context>
 <context>
@@ -2649,34 +2649,9 @@
       <translation>նոր</translation>
     </message>
     <message>
-      <source>changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>փոխված է</translation>
-    </message>
-    <message>
-      <source>refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մերժված</translation>
-    </message>
-    <message>
-      <source>as it is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ինչպես կա</translation>
-    </message>
-    <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծել կատալոգ</translation>
-    </message>
-    <message>
-      <source>A table (CSV) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աղյուսակ (CSV) …</translation>
-    </message>
-    <message>
-      <source>An export folder …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արտահանման պանակ …</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2684,19 +2659,9 @@
       <translation>Ստեղծել դեռ չեղած հուշարձաններ, խրամատներ, համատեքստեր և տոպրակներ</translation>
     </message>
     <message>
-      <source>What each row would do</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ինչ կաներ ամեն տողը</translation>
-    </message>
-    <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծման ընթացքը</translation>
-    </message>
-    <message>
-      <source>Save what is refused …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահել մերժվածը …</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2714,16 +2679,6 @@
       <translation>Ո՞ր արտահանումը։</translation>
     </message>
     <message>
-      <source>Save what is refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահել մերժվածը</translation>
-    </message>
-    <message>
-      <source>refused.csv</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>refused.csv</translation>
-    </message>
-    <message>
       <source>Tables (*.csv)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակներ (*.csv)</translation>
@@ -2734,31 +2689,6 @@
       <translation>Պահված է՝ %1</translation>
     </message>
     <message>
-      <source>line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տող</translation>
-    </message>
-    <message>
-      <source>what happens</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ինչ է լինում</translation>
-    </message>
-    <message>
-      <source>why not</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ինչու ոչ</translation>
-    </message>
-    <message>
-      <source>Looking at it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դիտվում է …</translation>
-    </message>
-    <message>
-      <source>Entered: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գրանցված է՝ %1</translation>
-    </message>
-    <message>
       <source>Close</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փակել</translation>
@@ -2767,19 +2697,6 @@
       <source>Stop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել</translation>
-    </message>
-    <message>
-      <source>Take nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չվերցնել</translation>
-    </message>
-    <message numerus="yes">
-      <source>Enter %n row(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Գրանցել %n տող</numerusform>
-        <numerusform>Գրանցել %n տող</numerusform>
-      </translation>
     </message>
     <message>
       <source>Keep the other versions</source>
@@ -2822,6 +2739,89 @@
             <numerusform>Հաստատել %n տող</numerusform>
         </translation>
     </message>
+    <message>
+      <source>updated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխված է</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մերժված</translation>
+    </message>
+    <message>
+      <source>unchanged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչպես կա</translation>
+    </message>
+    <message>
+      <source>Table (CSV)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակ (CSV) …</translation>
+    </message>
+    <message>
+      <source>Export folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման պանակ …</translation>
+    </message>
+    <message>
+      <source>Effect of each row</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ կաներ ամեն տողը</translation>
+    </message>
+    <message>
+      <source>Save rejected rows…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել մերժվածը …</translation>
+    </message>
+    <message>
+      <source>Save rejected rows</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել մերժվածը</translation>
+    </message>
+    <message>
+      <source>rejected.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refused.csv</translation>
+    </message>
+    <message>
+      <source>Line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տող</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչ է լինում</translation>
+    </message>
+    <message>
+      <source>Reason</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչու ոչ</translation>
+    </message>
+    <message>
+      <source>Reading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիտվում է …</translation>
+    </message>
+    <message>
+      <source>Imported: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրանցված է՝ %1</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չվերցնել</translation>
+    </message>
+    <message numerus="yes">
+      <source>Import %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Գրանցել %n տող</numerusform>
+        <numerusform>Գրանցել %n տող</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2836,27 +2836,9 @@
       <translation>Ներմուծման նախադիտում</translation>
     </message>
     <message>
-      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 նոր, %2 փոխված, %3 ինչպես կան, %4 մերժված։</translation>
-    </message>
-    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծում</translation>
-    </message>
-    <message>
-      <source>Stopped; nothing was entered.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի գրանցվել։</translation>
-    </message>
-    <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
-        <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
-      </translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2865,6 +2847,24 @@
             <numerusform>%n տող հաստատման կարիք ունի։</numerusform>
             <numerusform>%n տող հաստատման կարիք ունի։</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 նոր, %2 փոխված, %3 ինչպես կան, %4 մերժված։</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի գրանցվել։</translation>
+    </message>
+    <message numerus="yes">
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
+        <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2968,11 +2968,6 @@
       <translation>Հաշվարկը կանգնեցվում է. կշարունակվի, երբ նախագիծը նորից բացվի։ Պատուհանը շուտով կփակվի։</translation>
     </message>
     <message>
-      <source>Queue: mending masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հերթ. դիմակների ուղղում</translation>
-    </message>
-    <message>
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետարկել՝ %1</translation>
@@ -2988,16 +2983,6 @@
       <translation>Կատալոգը չհաջողվեց պատճենել. %1</translation>
     </message>
     <message>
-      <source>%1 (can only be read)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (միայն ընթերցում)</translation>
-    </message>
-    <message>
-      <source>This project can only be read: look at everything; changes are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս նախագիծը կարելի է միայն կարդալ. դիտեք ամեն ինչ, փոփոխությունները մերժվում են։</translation>
-    </message>
-    <message>
         <source>%1 is ready.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1-ը պատրաստ է:</translation>
@@ -3011,6 +2996,21 @@
         <source>Redo: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կրկնել. %1</translation>
+    </message>
+    <message>
+      <source>Queue: editing masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հերթ. դիմակների ուղղում</translation>
+    </message>
+    <message>
+      <source>%1 (read-only)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (միայն ընթերցում)</translation>
+    </message>
+    <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծը կարելի է միայն կարդալ. դիտեք ամեն ինչ, փոփոխությունները մերժվում են։</translation>
     </message>
 </context>
 <context>
@@ -3222,24 +3222,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>Outlines laid over each other, and their turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Իրար վրա դրված ուրվագծեր և նրանց շրջադարձի անկյունները</translation>
-    </message>
-    <message>
       <source>The turning angles differ by %1 rad.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Շրջադարձի անկյունները տարբերվում են %1 rad։</translation>
-    </message>
-    <message>
-      <source>outlines on each other</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ուրվագծերն իրար վրա</translation>
-    </message>
-    <message>
-      <source>turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>շրջադարձի անկյուններ</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -3250,6 +3235,21 @@
       <source>differ by %1 rad</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տարբերություն՝ %1 rad</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid, and their turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Իրար վրա դրված ուրվագծեր և նրանց շրջադարձի անկյունները</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ուրվագծերն իրար վրա</translation>
+    </message>
+    <message>
+      <source>Turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>շրջադարձի անկյուններ</translation>
     </message>
 </context>
 <context>
@@ -3268,26 +3268,6 @@
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երես ընտրված չէ։</translation>
-    </message>
-    <message>
-      <source>The rims do not meet here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերն այստեղ չեն հանդիպում։</translation>
-    </message>
-    <message>
-      <source>Rims %1 apart, %2 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերի հեռավորությունը %1, հանդիպում է %2-ը։</translation>
-    </message>
-    <message>
-      <source>Turned by hand; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շրջված է ձեռքով. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
-    </message>
-    <message>
-      <source>Start point %1; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկզբնակետ %1. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
@@ -3320,19 +3300,9 @@
       <translation>%1-ը մի կողմ դնել</translation>
     </message>
     <message>
-      <source>One of the two has no back to be joined.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Երկուսից մեկը միացնելու հետևի երես չունի։</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>սկզբնակետ</translation>
-    </message>
-    <message>
-      <source>settling by the rims</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հարմարեցում եզրերով</translation>
     </message>
     <message>
       <source>turning by hand</source>
@@ -3345,11 +3315,6 @@
       <translation>Փակ մոդել</translation>
     </message>
     <message>
-      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս զույգը դեռ փակ մոդել չունի. այն ստեղծվում է խմբաքանակը հաշվարկելիս։</translation>
-    </message>
-    <message>
       <source>Picture of a pair</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգի պատկեր</translation>
@@ -3358,11 +3323,6 @@
       <source>More candidates</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այլ թեկնածուներ</translation>
-    </message>
-    <message>
-      <source>This back lies alone.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս հետևի երեսը մենակ է։</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3385,11 +3345,6 @@
       <translation>Այն, ինչ միայն փորձարկվել էր, այլևս չկա. դրա զույգերը փակվել են։</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի եզրերը հազիվ են հանդիպում՝ %3-ը։</translation>
-    </message>
-    <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1-ի վերալուսանկարում</translation>
@@ -3403,6 +3358,51 @@
         <source>splitting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1-ի բաժանում</translation>
+    </message>
+    <message>
+      <source>The fractures do not touch here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերն այստեղ չեն հանդիպում։</translation>
+    </message>
+    <message>
+      <source>Fractures %1 apart, %2 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերի հեռավորությունը %1, հանդիպում է %2-ը։</translation>
+    </message>
+    <message>
+      <source>Turned by hand; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շրջված է ձեռքով. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
+    </message>
+    <message>
+      <source>Start point %1; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկզբնակետ %1. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկուսից մեկը միացնելու հետևի երես չունի։</translation>
+    </message>
+    <message>
+      <source>refining the fit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հարմարեցում եզրերով</translation>
+    </message>
+    <message>
+      <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս զույգը դեռ փակ մոդել չունի. այն ստեղծվում է խմբաքանակը հաշվարկելիս։</translation>
+    </message>
+    <message>
+      <source>This back has no partner.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս հետևի երեսը մենակ է։</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի եզրերը հազիվ են հանդիպում՝ %3-ը։</translation>
     </message>
 </context>
 <context>
@@ -3476,14 +3476,14 @@
       <translation>տոպրակ չկա՝ համարներ դեռ չկան</translation>
     </message>
     <message>
-      <source>site-trench-context-bag, please</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>խնդրում ենք՝ հուշարձան-խրամատ-համատեքստ-տոպրակ</translation>
-    </message>
-    <message>
       <source>New: %1 (Esc takes it back)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր՝ %1 (Esc-ը հետ է վերցնում)</translation>
+    </message>
+    <message>
+      <source>write site-trench-context-bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խնդրում ենք՝ հուշարձան-խրամատ-համատեքստ-տոպրակ</translation>
     </message>
 </context>
 <context>
@@ -3656,11 +3656,6 @@
 <context>
     <name>ostraka::ui::Rail</name>
     <message>
-      <source>Stations</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կայաններ</translation>
-    </message>
-    <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1  %2</translation>
@@ -3669,6 +3664,11 @@
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Screens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կայաններ</translation>
     </message>
 </context>
 <context>
@@ -3739,11 +3739,6 @@
       <translation>Մի կողմ</translation>
     </message>
     <message>
-      <source>The rims are compared … Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համեմատվում են … Esc-ը կանգնեցնում է։</translation>
-    </message>
-    <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>… և մյուս ծայրը</translation>
@@ -3752,11 +3747,6 @@
       <source>Pairs of the batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակի զույգերը</translation>
-    </message>
-    <message>
-      <source>The rims settle: %1. Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համընկնում են՝ %1։ Esc-ը կանգնեցնում է։</translation>
     </message>
     <message>
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
@@ -3843,6 +3833,16 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Enter</translation>
     </message>
+    <message>
+      <source>Comparing the fractures… Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը համեմատվում են … Esc-ը կանգնեցնում է։</translation>
+    </message>
+    <message>
+      <source>Refining the fit, fracture gap %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը համընկնում են՝ %1։ Esc-ը կանգնեցնում է։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
@@ -3867,37 +3867,9 @@
       <translation>Բացվում է %1-ը</translation>
     </message>
     <message>
-      <source>%1 waits to be computed; only what changed is done again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը սպասում է հաշվարկի. կրկնվում է միայն փոխվածը։</translation>
-    </message>
-    <message>
-      <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Նոր կտորների զույգերը կգան հաշվարկից հետո։</translation>
-    </message>
-    <message>
-      <source>Taken back. Both are kept in the history.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետ է վերցված։ Երկուսն էլ մնում են պատմության մեջ։</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է ձեր անունով։</translation>
-    </message>
-    <message>
-      <source>No pair needs your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի զույգի նայել պետք չէ</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n զույգի պետք է նայել</numerusform>
-        <numerusform>%n զույգի պետք է նայել</numerusform>
-      </translation>
     </message>
     <message>
       <source>Review</source>
@@ -3905,34 +3877,9 @@
       <translation>Ստուգում</translation>
     </message>
     <message>
-      <source>None of the measures of %1 is sure. %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի ոչ մի չափը վստահելի չէ։ %2</translation>
-    </message>
-    <message>
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի մոդելները</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը համար չի ունենա, իսկ %1 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
-    </message>
-    <message>
-      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ում ոչ մի երկարություն հայտնի չէ. այստեղ ցույց տրված ոչ մի թիվ և երկարություն միլիմետրով չէ։</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Հաշվարկելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիացնի դրանք։</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -3968,6 +3915,59 @@
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1-ը վերալուսանկարվել է որպես %2 %3-ում և հիմա երկու գրառում ունի: Մեկն անվավեր դարձրեք գրացուցակում կամ բեկորն այստեղ մի կողմ դրեք:</translation>
+    </message>
+    <message>
+      <source>%1 is queued; only what changed is reprocessed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը սպասում է հաշվարկի. կրկնվում է միայն փոխվածը։</translation>
+    </message>
+    <message>
+      <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Նոր կտորների զույգերը կգան հաշվարկից հետո։</translation>
+    </message>
+    <message>
+      <source>Undone. The history keeps both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետ է վերցված։ Երկուսն էլ մնում են պատմության մեջ։</translation>
+    </message>
+    <message>
+      <source>No pairs to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի զույգի նայել պետք չէ</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n զույգի պետք է նայել</numerusform>
+        <numerusform>%n զույգի պետք է նայել</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>No measurement of %1 is certain. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի ոչ մի չափը վստահելի չէ։ %2</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը համար չի ունենա, իսկ %1 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
+    </message>
+    <message>
+      <source>%1 has no scale: no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ում ոչ մի երկարություն հայտնի չէ. այստեղ ցույց տրված ոչ մի թիվ և երկարություն միլիմետրով չէ։</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Հաշվարկելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիացնի դրանք։</translation>
     </message>
 </context>
 <context>
@@ -4295,16 +4295,6 @@
       <translation>համատեքստ</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դեռ համար չկա</translation>
-    </message>
-    <message>
-      <source>Give the number %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տալ %1 համարը</translation>
-    </message>
-    <message>
       <source>added</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ավելացված է</translation>
@@ -4369,17 +4359,14 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>հաշվարկված. փոխարինված է չափված արժեքով</translation>
     </message>
+    <message>
+      <source>Assign number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տալ %1 համարը</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-    <message numerus="yes">
-      <source>number %n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>համարակալել %n բեկոր</numerusform>
-        <numerusform>համարակալել %n բեկոր</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Other changes are still being saved; wait for them, or stop them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4395,11 +4382,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարներ</translation>
     </message>
-    <message>
-      <source>Stopped; nothing was changed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի փոխվել։</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4407,6 +4389,19 @@
         <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
         <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+      <source>numbering of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>համարակալել %n բեկոր</numerusform>
+        <numerusform>համարակալել %n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի փոխվել։</translation>
     </message>
 </context>
 <context>
@@ -4425,11 +4420,6 @@
       <source>not recorded</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>գրանցված չէ</translation>
-    </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դեռ համար չկա</translation>
     </message>
     <message>
       <source>%1: %2, in doubt</source>
@@ -4560,13 +4550,6 @@
       <translation>Նախագծեր</translation>
     </message>
     <message>
-      <source>%1
-%2 is not there: find it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1
-%2-ը տեղում չէ. գտեք այն …</translation>
-    </message>
-    <message>
       <source>Where is %1 now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որտե՞ղ է հիմա %1-ը</translation>
@@ -4611,6 +4594,13 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Բացել նախագիծը</translation>
     </message>
+    <message>
+      <source>%1
+%2 is not there: find it…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2-ը տեղում չէ. գտեք այն …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4620,7 +4610,7 @@
       <translation>Այս երեսի լուսանկարները</translation>
     </message>
     <message>
-      <source>%1 of %2 stops are done</source>
+      <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արված է %2 կանգառից %1-ը</translation>
     </message>
@@ -4707,11 +4697,6 @@
 <context>
     <name>ostraka::ui::MaskModel</name>
     <message>
-      <source>%1, camera %2, stop %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, տեսախցիկ %2, կանգառ %3</translation>
-    </message>
-    <message>
       <source>Mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դիմակ</translation>
@@ -4735,6 +4720,11 @@
       <source>paint on a mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նկարել դիմակի վրա</translation>
+    </message>
+    <message>
+      <source>%1, camera %2, position %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, տեսախցիկ %2, կանգառ %3</translation>
     </message>
 </context>
 <context>
@@ -4834,11 +4824,6 @@
 <context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորը կլինի</translation>
-    </message>
-    <message>
       <source>First number of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս համակարգչի առաջին համարը</translation>
@@ -4862,11 +4847,6 @@
       <source>Num&amp;bers of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս համակարգչի հա&amp;մարները</translation>
-    </message>
-    <message>
-      <source>Number so from &amp;now on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այսուհետև &amp;այսպես համարակալել</translation>
     </message>
     <message>
       <source>Numbers of the open project</source>
@@ -4901,6 +4881,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, և {n}՝ մեկ անգամ. {n:04}-ն ունի առնվազն չորս նիշ</translation>
     </message>
+    <message>
+      <source>Example</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորը կլինի</translation>
+    </message>
+    <message>
+      <source>Use this &amp;numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այսուհետև &amp;այսպես համարակալել</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
@@ -4933,11 +4923,6 @@
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
-      <source>&amp;Save the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահպանել բառ&amp;երը</translation>
-    </message>
-    <message>
       <source>&amp;Words for</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Բառեր</translation>
@@ -4948,29 +4933,9 @@
       <translation>Բեկորների օգտագործած բառը մնում է. նախ փոխեք դրանք։</translation>
     </message>
     <message>
-      <source>&amp;One a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տ&amp;ողում մեկը</translation>
-    </message>
-    <message>
       <source>Saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահպանված է։</translation>
-    </message>
-    <message>
-      <source>Words of the open project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բաց նախագծի բառերը</translation>
-    </message>
-    <message>
-      <source>Words, one a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բառեր, տողում մեկը</translation>
-    </message>
-    <message>
-      <source>change the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>փոխել բառերը</translation>
     </message>
     <message>
       <source>condition</source>
@@ -5003,7 +4968,32 @@
       <translation>մակերես</translation>
     </message>
     <message>
-      <source>These words are not saved yet.</source>
+      <source>&amp;Save vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանել բառ&amp;երը</translation>
+    </message>
+    <message>
+      <source>&amp;One per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տ&amp;ողում մեկը</translation>
+    </message>
+    <message>
+      <source>Project vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց նախագծի բառերը</translation>
+    </message>
+    <message>
+      <source>Terms, one per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բառեր, տողում մեկը</translation>
+    </message>
+    <message>
+      <source>change the vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխել բառերը</translation>
+    </message>
+    <message>
+      <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս բառերը դեռ պահված չեն։</translation>
     </message>
@@ -9068,6 +9058,21 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 տողից մուտքագրված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
     </message>
+    <message>
+      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; սյունակը նույնն է ասում, ինչ &apos;%2&apos;-ը. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ:</translation>
+    </message>
+    <message>
+      <source>Check the drawing of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք %1-ի գծագիրը՝ %2</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2, բեկոր %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9131,11 +9136,6 @@
         <translation>ընտրված է ձեր կողմից</translation>
     </message>
     <message>
-        <source>no field of this name; kept as a field of your own</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>այս անունով դաշտ չկա. պահվում է որպես ձեր սեփական դաշտ</translation>
-    </message>
-    <message>
         <source>Columns of the table</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Աղյուսակի սյունակները</translation>
@@ -9171,11 +9171,6 @@
         <translation>%1 սյունակի դաշտը</translation>
     </message>
     <message>
-        <source>leave out</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>բաց թողնել</translation>
-    </message>
-    <message>
         <source>own field: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>սեփական դաշտ՝ %1</translation>
@@ -9184,6 +9179,16 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 սյունակի միավորը</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as your own field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>այս անունով դաշտ չկա. պահվում է որպես ձեր սեփական դաշտ</translation>
+    </message>
+    <message>
+        <source>skip</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>բաց թողնել</translation>
     </message>
 </context>
 <context>

@@ -17,14 +17,14 @@
       <translation>İçe aktar</translation>
     </message>
     <message>
-      <source>Import nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İçe aktarma</translation>
-    </message>
-    <message>
       <source>Which bag do the sherds of %1 come from?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 içindeki parçalar hangi torbadan?</translation>
+    </message>
+    <message>
+      <source>Cancel import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktarma</translation>
     </message>
 </context>
 <context>
@@ -47,14 +47,14 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti hesaplanırken çiftlere karar verildi ya da maskeler düzeltildi; bunlar için yeniden hesaplayın.</translation>
-    </message>
-    <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: bu numara plakada yazıldı, ama başka bir parçanın; ikisinden hangisinin taşıdığına bakın ve ötekine yeni bir numara verin.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti hesaplanırken çiftlere karar verildi ya da maskeler düzeltildi; bunlar için yeniden hesaplayın.</translation>
     </message>
 </context>
 <context>
@@ -73,11 +73,6 @@
       <source>state</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>durum</translation>
-    </message>
-    <message>
-      <source>void because</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>geçersiz, çünkü</translation>
     </message>
     <message>
       <source>site</source>
@@ -195,19 +190,9 @@
       <translation>genişlik, mm</translation>
     </message>
     <message>
-      <source>thickness least, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>en az kalınlık, mm</translation>
-    </message>
-    <message>
       <source>thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kalınlık, mm</translation>
-    </message>
-    <message>
-      <source>thickness most, mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>en çok kalınlık, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
@@ -218,11 +203,6 @@
       <source>volume, mm³</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>hacim, mm³</translation>
-    </message>
-    <message>
-      <source>not seen, %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>görülmeyen, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
@@ -264,18 +244,38 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>arka yüz</translation>
     </message>
+    <message>
+      <source>reason voided</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geçersiz, çünkü</translation>
+    </message>
+    <message>
+      <source>minimum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en az kalınlık, mm</translation>
+    </message>
+    <message>
+      <source>maximum thickness, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en çok kalınlık, mm</translation>
+    </message>
+    <message>
+      <source>unseen surface, %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>görülmeyen, %</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
     <message>
-      <source>The memory does not suffice; close other programs and try again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bellek yetmiyor; başka programları kapatıp yeniden deneyin.</translation>
-    </message>
-    <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu programın bir hatasıdır; lütfen günlükle (%1) birlikte bildirin.</translation>
+    </message>
+    <message>
+      <source>Not enough memory. Close other programs and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bellek yetmiyor; başka programları kapatıp yeniden deneyin.</translation>
     </message>
 </context>
 <context>
@@ -446,11 +446,6 @@
       <translation>geçersiz</translation>
     </message>
     <message>
-      <source>draft</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>taslak</translation>
-    </message>
-    <message>
       <source>on a scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>tartıyla</translation>
@@ -516,11 +511,6 @@
       <translation>%1 ve %2 ikisi de %3 ile uyuyor.</translation>
     </message>
     <message>
-      <source>Another partner fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka bir eş neredeyse aynı ölçüde uyuyor.</translation>
-    </message>
-    <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzü başka bir ön yüze verildi: şimdi doğrusu %1 mi?</translation>
@@ -549,31 +539,6 @@
       <source>The faces cross: %1 of the front lies behind the back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yüzler kesişiyor: ön yüzün %1 kadarı arka yüzün gerisinde.</translation>
-    </message>
-    <message>
-      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İki taramanın neredeyse hiç ortak kırığı yok; onları yalnız dış çizgiler bağlıyor.</translation>
-    </message>
-    <message>
-      <source>The broken edges do not fit: %1 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kırıklar uymuyor: arada %1.</translation>
-    </message>
-    <message>
-      <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar konumu pek belirlemiyor: belirsizlik %1.</translation>
-    </message>
-    <message>
-      <source>A place %1 along the rim fits nearly as well.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar boyunca %1 ötedeki bir yer neredeyse aynı ölçüde uyuyor.</translation>
-    </message>
-    <message>
-      <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
     </message>
     <message>
       <source>shoot again</source>
@@ -653,11 +618,6 @@
       <translation>Kararı veren %1, %2, elle döndürüldü.</translation>
     </message>
     <message>
-      <source>The rims hardly meet: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar pek buluşmuyor: buluşan pay %1.</translation>
-    </message>
-    <message>
       <source>by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>elle</translation>
@@ -668,54 +628,9 @@
       <translation>başlangıç noktası</translation>
     </message>
     <message>
-      <source>settled</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>oturtuldu</translation>
-    </message>
-    <message>
-      <source>Turned by hand: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elle döndürüldü: kenarların buluşan payı %1.</translation>
-    </message>
-    <message>
       <source>Turned by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elle döndürüldü.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried: %1 of the rims meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka bir başlangıç noktası deneniyor: kenarların buluşan payı %1.</translation>
-    </message>
-    <message>
-      <source>Another start point is tried.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka bir başlangıç noktası deneniyor.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims: %1 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlarla oturtuldu: buluşan pay %1.</translation>
-    </message>
-    <message>
-      <source>Settled by the rims.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlarla oturtuldu.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 deneniyor: %2.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2, rims %3 apart.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 deneniyor: %2, kenar aralığı %3.</translation>
-    </message>
-    <message>
-      <source>%1 is tried: %2; its rims do not meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 deneniyor: %2; kenarlar buluşmuyor.</translation>
     </message>
     <message>
       <source>%1 decided for %2.</source>
@@ -890,9 +805,99 @@
         <translation>%1 (hesaplanan %2)</translation>
     </message>
     <message>
-        <source>The two scans share only %1 of the broken edge.</source>
+        <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>İki taramanın ortak olan yanı kırığın yalnız %1 kadarı.</translation>
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>henüz numara yok</translation>
+    </message>
+    <message>
+      <source>Another partner fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir eş neredeyse aynı ölçüde uyuyor.</translation>
+    </message>
+    <message>
+      <source>The two scans share almost no fracture; only their outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki taramanın neredeyse hiç ortak kırığı yok; onları yalnız dış çizgiler bağlıyor.</translation>
+    </message>
+    <message>
+      <source>The fractures do not fit: %1 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kırıklar uymuyor: arada %1.</translation>
+    </message>
+    <message>
+      <source>The fracture barely fixes the position: uncertain by %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar konumu pek belirlemiyor: belirsizlik %1.</translation>
+    </message>
+    <message>
+      <source>A position %1 along the contour fits almost as well.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar boyunca %1 ötedeki bir yer neredeyse aynı ölçüde uyuyor.</translation>
+    </message>
+    <message>
+      <source>The fractures cannot be compared; only the outlines match.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
+    </message>
+    <message>
+      <source>The fractures barely touch: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar pek buluşmuyor: buluşan pay %1.</translation>
+    </message>
+    <message>
+      <source>refined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>oturtuldu</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle döndürüldü: kenarların buluşan payı %1.</translation>
+    </message>
+    <message>
+      <source>Trying another start point: %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir başlangıç noktası deneniyor: kenarların buluşan payı %1.</translation>
+    </message>
+    <message>
+      <source>Trying another start point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir başlangıç noktası deneniyor.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures: %1 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlarla oturtuldu: buluşan pay %1.</translation>
+    </message>
+    <message>
+      <source>Refined by the fractures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlarla oturtuldu.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 deneniyor: %2.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2, fractures %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 deneniyor: %2, kenar aralığı %3.</translation>
+    </message>
+    <message>
+      <source>Trying %1: %2; its fractures do not touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 deneniyor: %2; kenarlar buluşmuyor.</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2, parça %1</translation>
     </message>
 </context>
 <context>
@@ -940,34 +945,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Uyarı: %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%1 is computed: %n sherd(s).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1 hesaplandı: %n parça.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>You stopped it. What was computed so far is kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Siz durdurdunuz. Şimdiye kadar hesaplanan duruyor.</translation>
-    </message>
-    <message>
-      <source>You took it out of the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sıradan siz çıkardınız.</translation>
-    </message>
     <message>
       <source>again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yeniden</translation>
-    </message>
-    <message numerus="yes">
-      <source>Paused; %n batch(es) wait.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Duraklatıldı; %n parti bekliyor.</numerusform>
-      </translation>
     </message>
     <message>
       <source>%1: paused</source>
@@ -999,19 +980,9 @@
       <translation>%1, %2 taslağını bekliyor.</translation>
     </message>
     <message>
-      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 çarpılmış: işaretleri %2 px kaçırıyor, ayarlandığı yerden %3 mm uzakta.</translation>
-    </message>
-    <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti için kameralar yeniden bulundu; düzeneği yeniden ayarlayın (C).</translation>
-    </message>
-    <message>
-      <source>It did not come to its end; compute it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sonuna varmadı; yeniden hesaplayın.</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1127,6 +1098,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; en çok %2 mm hatayla birleşti</translation>
     </message>
+    <message numerus="yes">
+      <source>%1 is ready: %n sherd(s).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 hesaplandı: %n parça.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>You cancelled it. Finished stages are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Siz durdurdunuz. Şimdiye kadar hesaplanan duruyor.</translation>
+    </message>
+    <message>
+      <source>You removed it from the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sıradan siz çıkardınız.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) queued.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Duraklatıldı; %n parti bekliyor.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 çarpılmış: işaretleri %2 px kaçırıyor, ayarlandığı yerden %3 mm uzakta.</translation>
+    </message>
+    <message>
+      <source>It was interrupted. Reprocess it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonuna varmadı; yeniden hesaplayın.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BigButton</name>
@@ -1205,21 +1210,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değişikliğin önizlemesi</translation>
     </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>henüz numara yok</translation>
-    </message>
-    <message>
-      <source>refused: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>geri çevrildi: %1</translation>
-    </message>
-    <message>
-      <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 değişiyor, %2 olduğu gibi kalıyor, %3 geri çevriliyor.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1231,11 +1221,6 @@
       <source>Progress of the changes</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değişikliklerin ilerlemesi</translation>
-    </message>
-    <message>
-      <source>Stop and take back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durdur ve geri al</translation>
     </message>
     <message>
         <source>Assign numbers</source>
@@ -1254,14 +1239,24 @@
             <numerusform>%n değer onay istiyor.</numerusform>
         </translation>
     </message>
+    <message>
+      <source>rejected: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geri çevrildi: %1</translation>
+    </message>
+    <message>
+      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 değişiyor, %2 olduğu gibi kalıyor, %3 geri çevriliyor.</translation>
+    </message>
+    <message>
+      <source>Cancel and undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur ve geri al</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CandidateBar</name>
-    <message>
-      <source>Another back …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka arka yüz …</translation>
-    </message>
     <message>
       <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1293,6 +1288,11 @@
         <source>no contact</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>temas yok</translation>
+    </message>
+    <message>
+      <source>Another back…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka arka yüz …</translation>
     </message>
 </context>
 <context>
@@ -1328,11 +1328,6 @@
       </translation>
     </message>
     <message>
-      <source>Stop the table</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masayı durdur</translation>
-    </message>
-    <message>
       <source>Photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeniden çek</translation>
@@ -1348,11 +1343,6 @@
       <translation>Tarama al…</translation>
     </message>
     <message>
-      <source>Another rig…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka düzenek…</translation>
-    </message>
-    <message>
       <source>Camera %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1</translation>
@@ -1361,16 +1351,6 @@
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çekim</translation>
-    </message>
-    <message>
-      <source>The picture is on its way.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Görüntü geliyor.</translation>
-    </message>
-    <message>
-      <source>Look at this first</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önce buna bakın</translation>
     </message>
     <message>
       <source>R</source>
@@ -1393,11 +1373,6 @@
       <translation>Parçaların numaralarını yaz</translation>
     </message>
     <message>
-      <source>Say how many sherds lie there</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaç parça olduğunu söyle</translation>
-    </message>
-    <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu proje kendine ait ayarlanmış bir düzenekle çekim yapmıyor.</translation>
@@ -1406,16 +1381,6 @@
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenek %1 ile ayarlandı; önceki ayar %2 olarak saklandı.</translation>
-    </message>
-    <message>
-      <source>The import is stopped; nothing was left behind.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alma durduruldu; geride bir şey kalmadı.</translation>
-    </message>
-    <message>
-      <source>Import them all the same</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yine de içe aktar</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1438,11 +1403,6 @@
       <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey alınmadı. Hepsini almak için tümünü içe aktarın ve kuyrukta %1 partisini kenara koyun.</translation>
     </message>
     <message>
-      <source>Take this side once more?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu yüz bir kez daha çekilsin mi?</translation>
-    </message>
-    <message>
       <source>The bag is another now, the numbers are not</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Torba artık başka, numaralar değil</translation>
@@ -1453,24 +1413,69 @@
       <translation>Bu torbanın parçalarının numaralandığı gibi değil: %1. Yeniden yazın (N ya da daha sonra katalogda) veya doğru olduklarını söyleyin.</translation>
     </message>
     <message>
-      <source>They are right</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Doğrular</translation>
-    </message>
-    <message>
         <source>OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tamam</translation>
     </message>
     <message>
-        <source>The rig that worked before stays in use.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Önceki düzenek kullanımda kalıyor.</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sonraki adım</translation>
+    </message>
+    <message>
+      <source>Stop turntable</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masayı durdur</translation>
+    </message>
+    <message>
+      <source>Change rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka düzenek…</translation>
+    </message>
+    <message>
+      <source>Loading picture…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Görüntü geliyor.</translation>
+    </message>
+    <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önce buna bakın</translation>
+    </message>
+    <message>
+      <source>Type how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaç parça olduğunu söyle</translation>
+    </message>
+    <message>
+      <source>Import cancelled. Nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alma durduruldu; geride bir şey kalmadı.</translation>
+    </message>
+    <message>
+      <source>Import anyway</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yine de içe aktar</translation>
+    </message>
+    <message>
+      <source>Photograph this side again?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yüz bir kez daha çekilsin mi?</translation>
+    </message>
+    <message>
+      <source>Keep these numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Doğrular</translation>
+    </message>
+    <message>
+        <source>%1 The rig that worked before stays in use.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 Önceki düzenek kullanımda kalıyor.</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur</translation>
     </message>
 </context>
 <context>
@@ -1481,11 +1486,6 @@
       <translation>Düzenek açılıyor</translation>
     </message>
     <message>
-      <source>%1 goes on where it was.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 kaldığı yerden sürüyor.</translation>
-    </message>
-    <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 fotoğrafları</translation>
@@ -1494,18 +1494,6 @@
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kamerasının deklanşörüne basın.</translation>
-    </message>
-    <message numerus="yes">
-      <source>The %n photograph(s) of this side so far are safe.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Bu yüzün şimdiye kadarki %n fotoğrafı güvende.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>Camera %1 at stop %2: %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1, durak %2: %3</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1558,21 +1546,6 @@
       <translation>Tablayı boşaltabilirsiniz.</translation>
     </message>
     <message>
-      <source>Look at the plate before you clear it</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Boşaltmadan önce tablaya bakın</translation>
-    </message>
-    <message>
-      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüz yukarıda, bir parmak aralık, kenardaki işaretler açıkta.</translation>
-    </message>
-    <message>
-      <source>Hands off the table. Esc stops it at once.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaya dokunmayın. Esc hemen durdurur.</translation>
-    </message>
-    <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydırmak olur, yer değiştirmek olur, kaybetmek olmaz.</translation>
@@ -1581,11 +1554,6 @@
       <source>%1 is in the queue; the next batch is one key away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 sırada; sonraki parti bir tuş ötede.</translation>
-    </message>
-    <message>
-      <source>Space goes on all the same, R photographs the backs again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Boşluk yine de sürdürür, R arka yüzleri yeniden çeker.</translation>
     </message>
     <message>
       <source>Done</source>
@@ -1613,11 +1581,6 @@
       <translation>Sonraki parti</translation>
     </message>
     <message>
-      <source>It is right: into the queue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Doğru: sıraya al</translation>
-    </message>
-    <message>
       <source>One moment</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir saniye</translation>
@@ -1638,13 +1601,6 @@
       <source>Front %1, back %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön %1, arka %2</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n photograph(s) are safe</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fotoğraf güvende</numerusform>
-      </translation>
     </message>
     <message>
       <source>This camera shows no live picture.</source>
@@ -1672,11 +1628,6 @@
       <source>%1 reaches out of the picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 görüntünün dışına taşıyor</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İşaretler %1 / %2</translation>
     </message>
     <message>
       <source>%1 % of the sherds is too dark</source>
@@ -1711,16 +1662,6 @@
       <translation>Kamerayı neyin tuttuğu aranıyor</translation>
     </message>
     <message>
-      <source>Making the desktop let go of the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaüstüne kamera bıraktırılıyor</translation>
-    </message>
-    <message>
-      <source>Make the desktop let go</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaüstüne bıraktır</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: gizlenen, başkasına değen ya da hiç konmamış birini arayın.</translation>
@@ -1729,16 +1670,6 @@
       <source>You counted %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 saydınız</translation>
-    </message>
-    <message>
-      <source>Marks %1 of %2, %3 are needed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İşaretler %1 / %2, %3 gerekli</translation>
-    </message>
-    <message>
-      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçaları incelemede (Ctrl+3): hâlâ buradayken bakın</translation>
     </message>
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
@@ -1786,11 +1717,6 @@
         <translation>Sanal düzenek parçaları çeviriyor</translation>
     </message>
     <message>
-        <source>The table stands still. Saved photographs are kept.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Tabla duruyor. Kaydedilen fotoğraflar korunur.</translation>
-    </message>
-    <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Elle yapılacak bir şey yok: arka yüzleri çekin.</translation>
@@ -1824,6 +1750,85 @@
         <source>Lighting OK</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Işık uygun</translation>
+    </message>
+    <message>
+      <source>%1 resumes where it stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 kaldığı yerden sürüyor.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Bu yüzün şimdiye kadarki %n fotoğrafı güvende.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at position %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, durak %2: %3</translation>
+    </message>
+    <message>
+      <source>Check the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boşaltmadan önce tablaya bakın</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüz yukarıda, bir parmak aralık, kenardaki işaretler açıkta.</translation>
+    </message>
+    <message>
+      <source>Hands off the turntable. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masaya dokunmayın. Esc hemen durdurur.</translation>
+    </message>
+    <message>
+      <source>Space accepts anyway, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boşluk yine de sürdürür, R arka yüzleri yeniden çeker.</translation>
+    </message>
+    <message>
+      <source>Accept and queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Doğru: sıraya al</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) saved</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fotoğraf güvende</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşaretler %1 / %2</translation>
+    </message>
+    <message>
+      <source>Releasing the camera from the desktop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masaüstüne kamera bıraktırılıyor</translation>
+    </message>
+    <message>
+      <source>Release camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masaüstüne bıraktır</translation>
+    </message>
+    <message>
+      <source>Markers %1 of %2, %3 needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşaretler %1 / %2, %3 gerekli</translation>
+    </message>
+    <message>
+      <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaları incelemede (Ctrl+3): hâlâ buradayken bakın</translation>
+    </message>
+    <message>
+        <source>The turntable stands still. Saved photographs are kept.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tabla duruyor. Kaydedilen fotoğraflar korunur.</translation>
     </message>
 </context>
 <context>
@@ -1891,11 +1896,6 @@
       <translation>%1 alındı: %2</translation>
     </message>
     <message>
-      <source>Import …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al …</translation>
-    </message>
-    <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir tablodan numaralar, kontekstler ve tanımlar ya da bir dışa aktarma (%1)</translation>
@@ -1934,11 +1934,6 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alımı %3 satırdan %2 satır sonra kesildi; bunlar tamdır. Kalanı için yeniden alın.</translation>
-    </message>
-    <message>
-      <source>Do not tell this again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bunu bir daha bildirme</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -1991,12 +1986,17 @@
         <translation>Geçersiz bir parçaya etiket, çizim ya da tablada yer verilmez ve numarası bir daha kullanılmaz. %1 geçersiz mi: “%2”?</translation>
     </message>
     <message>
-        <source>no number yet</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>henüz numarasız</translation>
+      <source>Import…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Al …</translation>
     </message>
     <message>
-        <source>Yes, it is void</source>
+      <source>Dismiss</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bunu bir daha bildirme</translation>
+    </message>
+    <message>
+        <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Evet, geçersiz</translation>
     </message>
@@ -2024,11 +2024,6 @@
       <translation>Yüzeyler nasıl çizilir</translation>
     </message>
     <message>
-      <source>Light and shade of the form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Biçimin ışık ve gölgesi</translation>
-    </message>
-    <message>
       <source>With paint and slip</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boya ve astarla</translation>
@@ -2037,21 +2032,6 @@
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız parçası mı</translation>
-    </message>
-    <message>
-      <source>As the parts say, or as is likely</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bölümlerin dediği gibi ya da olası olduğu gibi</translation>
-    </message>
-    <message>
-      <source>It is a rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağız parçasıdır</translation>
-    </message>
-    <message>
-      <source>It is no rim</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağız parçası değildir</translation>
     </message>
     <message>
       <source>Scale</source>
@@ -2074,16 +2054,6 @@
       <translation>Çapı gir</translation>
     </message>
     <message>
-      <source>Save …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydet …</translation>
-    </message>
-    <message>
-      <source>Print …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yazdır …</translation>
-    </message>
-    <message>
       <source>Print the drawing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizimi yazdır</translation>
@@ -2099,16 +2069,6 @@
       <translation>Durdur</translation>
     </message>
     <message>
-      <source>The sheet before</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önceki yaprak</translation>
-    </message>
-    <message>
-      <source>The next sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sonraki yaprak</translation>
-    </message>
-    <message>
       <source>What the drawing says</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim ne diyor</translation>
@@ -2119,21 +2079,9 @@
       <translation>Çizimler</translation>
     </message>
     <message>
-      <source>Stopped; nothing was drawn.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; hiçbir şey çizilmedi.</translation>
-    </message>
-    <message>
       <source>A sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir yaprak</translation>
-    </message>
-    <message numerus="yes">
-      <source>Drawing %n sherd(s) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n parça çiziliyor …</numerusform>
-      </translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
@@ -2197,6 +2145,58 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim yazıcıya gönderiliyor; % 100 boyutta yazdırın.</translation>
     </message>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Biçimin ışık ve gölgesi</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bölümlerin dediği gibi ya da olası olduğu gibi</translation>
+    </message>
+    <message>
+      <source>Rim sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız parçasıdır</translation>
+    </message>
+    <message>
+      <source>No rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız parçası değildir</translation>
+    </message>
+    <message>
+      <source>Save…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydet …</translation>
+    </message>
+    <message>
+      <source>Print…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazdır …</translation>
+    </message>
+    <message>
+      <source>Previous sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki yaprak</translation>
+    </message>
+    <message>
+      <source>Next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonraki yaprak</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; hiçbir şey çizilmedi.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça çiziliyor …</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>
@@ -2204,16 +2204,6 @@
       <source>Size of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmanın boyutu</translation>
-    </message>
-    <message>
-      <source>Counting …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sayılıyor …</translation>
-    </message>
-    <message>
-      <source>No sherd fits; choose others.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir parça uymuyor; başkalarını seçin.</translation>
     </message>
     <message>
       <source>less than a minute</source>
@@ -2271,7 +2261,17 @@
       <translation>Dışa aktarma</translation>
     </message>
     <message>
-      <source>Stopped; nothing was left behind.</source>
+      <source>Counting…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayılıyor …</translation>
+    </message>
+    <message>
+      <source>No sherds match this selection.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir parça uymuyor; başkalarını seçin.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durduruldu; geride bir şey kalmadı.</translation>
     </message>
@@ -2349,11 +2349,6 @@
       <translation>Dışa aktarma için yeni klasör</translation>
     </message>
     <message>
-      <source>Choose …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seç …</translation>
-    </message>
-    <message>
       <source>Progress of the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmanın ilerlemesi</translation>
@@ -2362,11 +2357,6 @@
       <source>Open folder</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasörü aç</translation>
-    </message>
-    <message>
-      <source>Where shall the folder be?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Klasör nerede olsun?</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -2396,11 +2386,6 @@
       <translation>1 : 2</translation>
     </message>
     <message>
-      <source>as fits A4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>A4'e sığdığı gibi</translation>
-    </message>
-    <message>
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablolar (ODS): LibreOffice, Excel</translation>
@@ -2419,11 +2404,6 @@
       <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY, GLB ve OBJ için: daha az üçgenle dosyalar çok daha küçüktür. Sapmaları ölçülür ve her birine yazılır.</translation>
-    </message>
-    <message>
-      <source>lighter, to %1 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>daha hafif, %1 mm’ye kadar</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2470,6 +2450,26 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Seçilen parçalar</translation>
     </message>
+    <message>
+      <source>Choose…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seç …</translation>
+    </message>
+    <message>
+      <source>Folder for the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasör nerede olsun?</translation>
+    </message>
+    <message>
+      <source>fit to A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A4'e sığdığı gibi</translation>
+    </message>
+    <message>
+      <source>simplified, within %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>daha hafif, %1 mm’ye kadar</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2488,17 +2488,17 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sözcükler her yerde aranır; ware:grey, kalınlık&gt;6, -burnt, not:* da olur.</translation>
     </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 koşulunu kaldır</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
         <numerusform>%n parça</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Remove the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 koşulunu kaldır</translation>
     </message>
 </context>
 <context>
@@ -2597,14 +2597,14 @@
       <translation>Apache Lisansı 2.0. Başkalarının yanında Qt (LGPL 3), VTK ve OpenCV kullanır; LICENSE dosyası ve README hepsini adlandırır.</translation>
     </message>
     <message>
-      <source>Nothing leaves this computer: there is no network in it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bilgisayardan hiçbir şey çıkmaz: içinde ağ yoktur.</translation>
-    </message>
-    <message>
       <source>The manual is in English.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kılavuz yalnızca İngilizcedir.</translation>
+    </message>
+    <message>
+      <source>Nothing leaves this computer: the program uses no network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bilgisayardan hiçbir şey çıkmaz: içinde ağ yoktur.</translation>
     </message>
 </context>
 <context>
@@ -2615,34 +2615,9 @@
       <translation>yeni</translation>
     </message>
     <message>
-      <source>changed</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>değişmiş</translation>
-    </message>
-    <message>
-      <source>refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>geri çevrildi</translation>
-    </message>
-    <message>
-      <source>as it is</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>olduğu gibi</translation>
-    </message>
-    <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kataloğa al</translation>
-    </message>
-    <message>
-      <source>A table (CSV) …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir tablo (CSV) …</translation>
-    </message>
-    <message>
-      <source>An export folder …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir dışa aktarma klasörü …</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2650,19 +2625,9 @@
       <translation>Henüz olmayan alan, açma, kontekst ve torbaları oluştur</translation>
     </message>
     <message>
-      <source>What each row would do</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Her satır ne yapardı</translation>
-    </message>
-    <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alımın ilerlemesi</translation>
-    </message>
-    <message>
-      <source>Save what is refused …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geri çevrilenleri kaydet …</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2680,16 +2645,6 @@
       <translation>Hangi dışa aktarma?</translation>
     </message>
     <message>
-      <source>Save what is refused</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geri çevrilenleri kaydet</translation>
-    </message>
-    <message>
-      <source>refused.csv</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>geri-cevrilen.csv</translation>
-    </message>
-    <message>
       <source>Tables (*.csv)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablolar (*.csv)</translation>
@@ -2700,31 +2655,6 @@
       <translation>Kaydedildi: %1</translation>
     </message>
     <message>
-      <source>line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>satır</translation>
-    </message>
-    <message>
-      <source>what happens</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ne olur</translation>
-    </message>
-    <message>
-      <source>why not</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>neden olmaz</translation>
-    </message>
-    <message>
-      <source>Looking at it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bakılıyor …</translation>
-    </message>
-    <message>
-      <source>Entered: %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girildi: %1</translation>
-    </message>
-    <message>
       <source>Close</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kapat</translation>
@@ -2733,18 +2663,6 @@
       <source>Stop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durdur</translation>
-    </message>
-    <message>
-      <source>Take nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbirini alma</translation>
-    </message>
-    <message numerus="yes">
-      <source>Enter %n row(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n satırı gir</numerusform>
-      </translation>
     </message>
     <message>
       <source>Keep the other versions</source>
@@ -2785,6 +2703,88 @@
             <numerusform>%n satırı onayla</numerusform>
         </translation>
     </message>
+    <message>
+      <source>updated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>değişmiş</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geri çevrildi</translation>
+    </message>
+    <message>
+      <source>unchanged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>olduğu gibi</translation>
+    </message>
+    <message>
+      <source>Table (CSV)…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir tablo (CSV) …</translation>
+    </message>
+    <message>
+      <source>Export folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir dışa aktarma klasörü …</translation>
+    </message>
+    <message>
+      <source>Effect of each row</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her satır ne yapardı</translation>
+    </message>
+    <message>
+      <source>Save rejected rows…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri çevrilenleri kaydet …</translation>
+    </message>
+    <message>
+      <source>Save rejected rows</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri çevrilenleri kaydet</translation>
+    </message>
+    <message>
+      <source>rejected.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geri-cevrilen.csv</translation>
+    </message>
+    <message>
+      <source>Line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>satır</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ne olur</translation>
+    </message>
+    <message>
+      <source>Reason</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>neden olmaz</translation>
+    </message>
+    <message>
+      <source>Reading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bakılıyor …</translation>
+    </message>
+    <message>
+      <source>Imported: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girildi: %1</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbirini alma</translation>
+    </message>
+    <message numerus="yes">
+      <source>Import %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n satırı gir</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportModel</name>
@@ -2799,26 +2799,9 @@
       <translation>Alımın önizlemesi</translation>
     </message>
     <message>
-      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 yeni, %2 değişmiş, %3 olduğu gibi, %4 geri çevrildi.</translation>
-    </message>
-    <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Al</translation>
-    </message>
-    <message>
-      <source>Stopped; nothing was entered.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; hiçbir şey girilmedi.</translation>
-    </message>
-    <message numerus="yes">
-      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Durduruldu: %n satır girilmedi. Kalanı için tabloyu yeniden alın.</numerusform>
-      </translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2826,6 +2809,23 @@
         <translation>
             <numerusform>%n satır onay istiyor.</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 yeni, %2 değişmiş, %3 olduğu gibi, %4 geri çevrildi.</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; hiçbir şey girilmedi.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Durduruldu: %n satır girilmedi. Kalanı için tabloyu yeniden alın.</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2929,11 +2929,6 @@
       <translation>Hesap durduruluyor; proje yeniden açılınca sürer. Pencere birazdan kapanır.</translation>
     </message>
     <message>
-      <source>Queue: mending masks</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kuyruk: maskeleri düzeltme</translation>
-    </message>
-    <message>
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri al: %1</translation>
@@ -2949,16 +2944,6 @@
       <translation>Katalog kopyalanamadı: %1</translation>
     </message>
     <message>
-      <source>%1 (can only be read)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (salt okunur)</translation>
-    </message>
-    <message>
-      <source>This project can only be read: look at everything; changes are refused.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
-    </message>
-    <message>
         <source>%1 is ready.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 hazır.</translation>
@@ -2972,6 +2957,21 @@
         <source>Redo: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Yinele: %1</translation>
+    </message>
+    <message>
+      <source>Queue: editing masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kuyruk: maskeleri düzeltme</translation>
+    </message>
+    <message>
+      <source>%1 (read-only)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (salt okunur)</translation>
+    </message>
+    <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
     </message>
 </context>
 <context>
@@ -3181,24 +3181,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>Outlines laid over each other, and their turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Üst üste konmuş dış çizgiler ve dönüş açıları</translation>
-    </message>
-    <message>
       <source>The turning angles differ by %1 rad.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dönüş açıları %1 rad farklı.</translation>
-    </message>
-    <message>
-      <source>outlines on each other</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>üst üste dış çizgiler</translation>
-    </message>
-    <message>
-      <source>turning angles</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>dönüş açıları</translation>
     </message>
     <message>
       <source>%1 mm</source>
@@ -3209,6 +3194,21 @@
       <source>differ by %1 rad</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fark %1 rad</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid, and their turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Üst üste konmuş dış çizgiler ve dönüş açıları</translation>
+    </message>
+    <message>
+      <source>Outlines overlaid</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>üst üste dış çizgiler</translation>
+    </message>
+    <message>
+      <source>Turning angles</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dönüş açıları</translation>
     </message>
 </context>
 <context>
@@ -3227,26 +3227,6 @@
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüz seçilmedi.</translation>
-    </message>
-    <message>
-      <source>The rims do not meet here.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar burada buluşmuyor.</translation>
-    </message>
-    <message>
-      <source>Rims %1 apart, %2 of them meet.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar aralığı %1, buluşan pay %2.</translation>
-    </message>
-    <message>
-      <source>Turned by hand; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elle döndürüldü; B kenarların oturtmasını sağlar.</translation>
-    </message>
-    <message>
-      <source>Start point %1; B lets the rims settle it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başlangıç noktası %1; B kenarların oturtmasını sağlar.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
@@ -3279,19 +3259,9 @@
       <translation>%1 kenara ayırma</translation>
     </message>
     <message>
-      <source>One of the two has no back to be joined.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>başlangıç noktası</translation>
-    </message>
-    <message>
-      <source>settling by the rims</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kenarlarla oturtma</translation>
     </message>
     <message>
       <source>turning by hand</source>
@@ -3304,11 +3274,6 @@
       <translation>Kapalı model</translation>
     </message>
     <message>
-      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu eşin henüz kapalı modeli yok; parti hesaplanınca yapılır.</translation>
-    </message>
-    <message>
       <source>Picture of a pair</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir eşin resmi</translation>
@@ -3317,11 +3282,6 @@
       <source>More candidates</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka adaylar</translation>
-    </message>
-    <message>
-      <source>This back lies alone.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu arka yüz tek başına.</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3344,11 +3304,6 @@
       <translation>Yalnızca denenen artık yok: çiftleri o zamandan beri kapatıldı.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Adınızla kaydedildi; ama %1 ile %2 kenarları pek buluşmuyor: buluşan pay %3.</translation>
-    </message>
-    <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 yeniden çekimi</translation>
@@ -3362,6 +3317,51 @@
         <source>splitting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 bölme</translation>
+    </message>
+    <message>
+      <source>The fractures do not touch here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar burada buluşmuyor.</translation>
+    </message>
+    <message>
+      <source>Fractures %1 apart, %2 of them touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar aralığı %1, buluşan pay %2.</translation>
+    </message>
+    <message>
+      <source>Turned by hand; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle döndürüldü; B kenarların oturtmasını sağlar.</translation>
+    </message>
+    <message>
+      <source>Start point %1; B refines the fit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başlangıç noktası %1; B kenarların oturtmasını sağlar.</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
+    </message>
+    <message>
+      <source>refining the fit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenarlarla oturtma</translation>
+    </message>
+    <message>
+      <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu eşin henüz kapalı modeli yok; parti hesaplanınca yapılır.</translation>
+    </message>
+    <message>
+      <source>This back has no partner.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu arka yüz tek başına.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Adınızla kaydedildi; ama %1 ile %2 kenarları pek buluşmuyor: buluşan pay %3.</translation>
     </message>
 </context>
 <context>
@@ -3435,14 +3435,14 @@
       <translation>torba yok: henüz numara yok</translation>
     </message>
     <message>
-      <source>site-trench-context-bag, please</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>lütfen alan-açma-kontekst-torba</translation>
-    </message>
-    <message>
       <source>New: %1 (Esc takes it back)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni: %1 (Esc geri alır)</translation>
+    </message>
+    <message>
+      <source>write site-trench-context-bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>lütfen alan-açma-kontekst-torba</translation>
     </message>
 </context>
 <context>
@@ -3613,11 +3613,6 @@
 <context>
     <name>ostraka::ui::Rail</name>
     <message>
-      <source>Stations</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İstasyonlar</translation>
-    </message>
-    <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1  %2</translation>
@@ -3626,6 +3621,11 @@
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Screens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İstasyonlar</translation>
     </message>
 </context>
 <context>
@@ -3696,11 +3696,6 @@
       <translation>Kenara ayır</translation>
     </message>
     <message>
-      <source>The rims are compared … Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar karşılaştırılıyor … Esc durdurur.</translation>
-    </message>
-    <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>… ve öteki uç</translation>
@@ -3709,11 +3704,6 @@
       <source>Pairs of the batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partinin eşleri</translation>
-    </message>
-    <message>
-      <source>The rims settle: %1. Esc stops.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar oturuyor: %1. Esc durdurur.</translation>
     </message>
     <message>
       <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
@@ -3800,6 +3790,16 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Enter</translation>
     </message>
+    <message>
+      <source>Comparing the fractures… Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar karşılaştırılıyor … Esc durdurur.</translation>
+    </message>
+    <message>
+      <source>Refining the fit, fracture gap %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar oturuyor: %1. Esc durdurur.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ReviewStation</name>
@@ -3824,36 +3824,9 @@
       <translation>%1 açılıyor</translation>
     </message>
     <message>
-      <source>%1 waits to be computed; only what changed is done again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hesaplanmayı bekliyor; yalnız değişenler yeniden yapılır.</translation>
-    </message>
-    <message>
-      <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Yeni kırıkların eşleri hesaplanınca gelir.</translation>
-    </message>
-    <message>
-      <source>Taken back. Both are kept in the history.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geri alındı. İkisi de geçmişte durur.</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Adınızla kaydedildi.</translation>
-    </message>
-    <message>
-      <source>No pair needs your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir eşe bakmanız gerekmiyor</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n pair(s) need your eye</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n eşe bakmanız gerekiyor</numerusform>
-      </translation>
     </message>
     <message>
       <source>Review</source>
@@ -3861,34 +3834,9 @@
       <translation>İnceleme</translation>
     </message>
     <message>
-      <source>None of the measures of %1 is sure. %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 partisinin hiçbir ölçüsü kesin değil. %2</translation>
-    </message>
-    <message>
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 modelleri</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Hesaplanınca birleşen parçanın numarası olmayacak, %1 ise parçasız kalacak. Geri alma onları yeniden ayırır.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Hesaplanınca birleşen parça %1 numarasını korur, %2 ise parçasız kalır. Geri alma onları yeniden ayırır.</translation>
-    </message>
-    <message>
-      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 üzerinde bilinen bir uzunluk yok: burada gösterilen hiçbir sayı ve uzunluk milimetre değildir.</translation>
-    </message>
-    <message>
-      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Hesaplanınca %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -3924,6 +3872,58 @@
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi iki kaydı var. Katalogda birini geçersiz kılın ya da parçayı burada kenara koyun.</translation>
+    </message>
+    <message>
+      <source>%1 is queued; only what changed is reprocessed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hesaplanmayı bekliyor; yalnız değişenler yeniden yapılır.</translation>
+    </message>
+    <message>
+      <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Yeni kırıkların eşleri hesaplanınca gelir.</translation>
+    </message>
+    <message>
+      <source>Undone. The history keeps both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri alındı. İkisi de geçmişte durur.</translation>
+    </message>
+    <message>
+      <source>No pairs to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir eşe bakmanız gerekmiyor</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) to review</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n eşe bakmanız gerekiyor</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>No measurement of %1 is certain. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 partisinin hiçbir ölçüsü kesin değil. %2</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Hesaplanınca birleşen parçanın numarası olmayacak, %1 ise parçasız kalacak. Geri alma onları yeniden ayırır.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Hesaplanınca birleşen parça %1 numarasını korur, %2 ise parçasız kalır. Geri alma onları yeniden ayırır.</translation>
+    </message>
+    <message>
+      <source>%1 has no scale: no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 üzerinde bilinen bir uzunluk yok: burada gösterilen hiçbir sayı ve uzunluk milimetre değildir.</translation>
+    </message>
+    <message>
+      <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Hesaplanınca %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
     </message>
 </context>
 <context>
@@ -4251,16 +4251,6 @@
       <translation>kontekst</translation>
     </message>
     <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>henüz numara yok</translation>
-    </message>
-    <message>
-      <source>Give the number %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 numarasını ver</translation>
-    </message>
-    <message>
       <source>added</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>eklendi</translation>
@@ -4325,16 +4315,14 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>hesaplanan; yerini ölçülen değer aldı</translation>
     </message>
+    <message>
+      <source>Assign number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarasını ver</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
-    <message numerus="yes">
-      <source>number %n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n parçaya numara ver</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Other changes are still being saved; wait for them, or stop them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4350,17 +4338,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numaralar</translation>
     </message>
-    <message>
-      <source>Stopped; nothing was changed.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; hiçbir şey değişmedi.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
         <numerusform>%n parça numara almadı: %1</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+      <source>numbering of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçaya numara ver</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; hiçbir şey değişmedi.</translation>
     </message>
 </context>
 <context>
@@ -4379,11 +4374,6 @@
       <source>not recorded</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kaydedilmedi</translation>
-    </message>
-    <message>
-      <source>no number yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>henüz numara yok</translation>
     </message>
     <message>
       <source>%1: %2, in doubt</source>
@@ -4514,13 +4504,6 @@
       <translation>Projeler</translation>
     </message>
     <message>
-      <source>%1
-%2 is not there: find it …</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1
-%2 yerinde yok: bulun …</translation>
-    </message>
-    <message>
       <source>Where is %1 now?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 şimdi nerede?</translation>
@@ -4565,6 +4548,13 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Projeyi aç</translation>
     </message>
+    <message>
+      <source>%1
+%2 is not there: find it…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 yerinde yok: bulun …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::StopBoard</name>
@@ -4574,7 +4564,7 @@
       <translation>Bu yüzün fotoğrafları</translation>
     </message>
     <message>
-      <source>%1 of %2 stops are done</source>
+      <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 duraktan %1 tamam</translation>
     </message>
@@ -4661,11 +4651,6 @@
 <context>
     <name>ostraka::ui::MaskModel</name>
     <message>
-      <source>%1, camera %2, stop %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, kamera %2, durak %3</translation>
-    </message>
-    <message>
       <source>Mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maske</translation>
@@ -4689,6 +4674,11 @@
       <source>paint on a mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maske üzerine boyama</translation>
+    </message>
+    <message>
+      <source>%1, camera %2, position %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, kamera %2, durak %3</translation>
     </message>
 </context>
 <context>
@@ -4787,11 +4777,6 @@
 <context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
-      <source>A sherd will be</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir parça şöyle olur:</translation>
-    </message>
-    <message>
       <source>First number of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bilgisayarın ilk numarası</translation>
@@ -4815,11 +4800,6 @@
       <source>Num&amp;bers of this computer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bilgisayarın &amp;numaraları</translation>
-    </message>
-    <message>
-      <source>Number so from &amp;now on</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Artık böyle numarala</translation>
     </message>
     <message>
       <source>Numbers of the open project</source>
@@ -4853,6 +4833,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, ve bir kez {n}; {n:04} en az dört hanelidir</translation>
     </message>
+    <message>
+      <source>Example</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parça şöyle olur:</translation>
+    </message>
+    <message>
+      <source>Use this &amp;numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Artık böyle numarala</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NumberingModel</name>
@@ -4885,11 +4875,6 @@
 <context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
-      <source>&amp;Save the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sözcükleri &amp;kaydet</translation>
-    </message>
-    <message>
       <source>&amp;Words for</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Sözcükler:</translation>
@@ -4900,29 +4885,9 @@
       <translation>Parçaların kullandığı sözcük kalır; önce onları değiştirin.</translation>
     </message>
     <message>
-      <source>&amp;One a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Her satıra bir</translation>
-    </message>
-    <message>
       <source>Saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi.</translation>
-    </message>
-    <message>
-      <source>Words of the open project</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Açık projenin sözcükleri</translation>
-    </message>
-    <message>
-      <source>Words, one a line</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sözcükler, her satıra bir</translation>
-    </message>
-    <message>
-      <source>change the words</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sözcükleri değiştirme</translation>
     </message>
     <message>
       <source>condition</source>
@@ -4955,7 +4920,32 @@
       <translation>yüzey</translation>
     </message>
     <message>
-      <source>These words are not saved yet.</source>
+      <source>&amp;Save vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükleri &amp;kaydet</translation>
+    </message>
+    <message>
+      <source>&amp;One per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Her satıra bir</translation>
+    </message>
+    <message>
+      <source>Project vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık projenin sözcükleri</translation>
+    </message>
+    <message>
+      <source>Terms, one per line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükler, her satıra bir</translation>
+    </message>
+    <message>
+      <source>change the vocabulary</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sözcükleri değiştirme</translation>
+    </message>
+    <message>
+      <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu sözcükler henüz kaydedilmedi.</translation>
     </message>
@@ -9020,6 +9010,21 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 satırdan %2 tanesi girildi; aynı içe aktarma ötekileri girer.</translation>
     </message>
+    <message>
+      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; sütunu &apos;%2&apos; ile aynı şeyi söylüyor; değerleri kendi alanınız olarak saklanır.</translation>
+    </message>
+    <message>
+      <source>Check the drawing of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 çizimini kontrol edin: %2</translation>
+    </message>
+    <message>
+      <source>sherd %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2, parça %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9082,11 +9087,6 @@
         <translation>sizin seçiminiz</translation>
     </message>
     <message>
-        <source>no field of this name; kept as a field of your own</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>bu adda alan yok; kendi alanınız olarak tutulur</translation>
-    </message>
-    <message>
         <source>Columns of the table</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tablonun sütunları</translation>
@@ -9122,11 +9122,6 @@
         <translation>%1 sütununun alanı</translation>
     </message>
     <message>
-        <source>leave out</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>atla</translation>
-    </message>
-    <message>
         <source>own field: %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>kendi alanınız: %1</translation>
@@ -9135,6 +9130,16 @@
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 sütununun birimi</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as your own field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>bu adda alan yok; kendi alanınız olarak tutulur</translation>
+    </message>
+    <message>
+        <source>skip</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>atla</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ void CaptureWizard::goOnWithin(batch::Side side) {
 QString CaptureWizard::safeWords() const {
   const auto safe = static_cast<int>(std::count_if(
       shots_.begin(), shots_.end(), [](const TakenShot& shot) { return !shot.refused; }));
-  return tr("The %n photograph(s) of this side so far are safe.", nullptr, safe);
+  return tr("The %n photograph(s) of this side so far are saved.", nullptr, safe);
 }
 
 // Desktops open cameras as soon as they are plugged in; then the one button is to release them.
@@ -59,7 +59,7 @@ void CaptureWizard::askWhoHolds() {
 void CaptureWizard::releaseCameras() {
   holders_.clear();
   work_ = start(makeJob(
-      tr("Making the desktop let go of the camera"),
+      tr("Releasing the camera from the desktop"),
       [release = source_.release](Progress&, std::stop_token stop) { return release(stop); }));
   connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     work_ = nullptr;

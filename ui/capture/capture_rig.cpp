@@ -10,6 +10,7 @@
 #include "ui/capture/rig_renewal.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kRigKey = "rig";
 void CaptureStation::buildTwice() {
   twice_ = new MessagePanel(this);
   twice_->setObjectName(QStringLiteral("importTwice"));
-  twice_->setSecondAct(tr("Import them all the same"));
+  twice_->setSecondAct(tr("Import anyway"));
   twice_->hide();
   connect(importer_, &BatchImporter::alreadyThere, this,
           [this](const QString& number, const QString& folder, int there, int files) {
@@ -79,8 +80,10 @@ void CaptureStation::followRig(const std::optional<Error>& why_not) {
     return;
   }
   rig_page_->setChoice(rigChoice());
-  failure_->showError(*why_not, tr("OK"));
-  emit said(tr("The rig that worked before stays in use."));
+  Error shown = *why_not;
+  shown.what =
+      tr("%1 The rig that worked before stays in use.").arg(wordsOf(shown.what)).toStdString();
+  failure_->showError(shown, tr("OK"));
 }
 
 RigChoice CaptureStation::rigChoice() const {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "batch/batch.h"
 #include "catalogue/project.h"
@@ -63,7 +64,9 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
     failure_->hide();
     setFocus();
   });
+  failure_->setBesidePrimary();
   buildTwice();
+  twice_->setBesidePrimary();
   buildImport(all);
   all->addWidget(twice_);
   all->addWidget(failure_);
@@ -71,6 +74,7 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
   connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureStation::followLive);
   connect(wizard_, &CaptureWizard::shotsChanged, board_, &StopBoard::follow);
+  connect(wizard_, &CaptureWizard::shotsChanged, this, &CaptureStation::tellWork);
   connect(wizard_, &CaptureWizard::said, this, &Station::said);
   connect(wizard_, &CaptureWizard::batchQueued, this,
           [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
@@ -128,21 +132,22 @@ void CaptureStation::buildActions() {
   next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("Next step"),
                  QKeySequence(Qt::Key_Space));
   next_->setAutoRepeat(false);  // a key that is held does one thing
-  stop_ = addAct(QStringLiteral("captureStop"), QStringLiteral("stop"), tr("Stop the table"),
+  stop_ = addAct(QStringLiteral("captureStop"), QStringLiteral("stop"), tr("Stop turntable"),
                  QKeySequence(Qt::Key_Escape));
+  stop_->setIconText(tr("Stop"));  // in sight in every language
   again_ = addAct(QStringLiteral("captureAgain"), QStringLiteral("again"), tr("Photograph again"),
                   QKeySequence(Qt::Key_R));
   again_->setAutoRepeat(false);
   number_ = addAct(QStringLiteral("numberSherds"), QStringLiteral("label"),
                    tr("Type the sherds' numbers"), QKeySequence(Qt::Key_N));
   count_sherds_ = addAct(QStringLiteral("countSherds"), QStringLiteral("sherd"),
-                         tr("Say how many sherds lie there"), QKeySequence(Qt::Key_S));
+                         tr("Type how many sherds lie there"), QKeySequence(Qt::Key_S));
   import_photographs_ = addAct(QStringLiteral("importPhotographs"), QStringLiteral("import"),
                                tr("Import photographs…"), {});
   import_scans_ =
       addAct(QStringLiteral("importScans"), QStringLiteral("import"), tr("Import scans…"), {});
   change_rig_ =
-      addAct(QStringLiteral("changeRig"), QStringLiteral("turntable"), tr("Another rig…"), {});
+      addAct(QStringLiteral("changeRig"), QStringLiteral("turntable"), tr("Change rig…"), {});
   set_aside_ = addAct(QStringLiteral("setBatchAside"), QStringLiteral("aside"),
                       tr("Set this batch aside"), {});
   for (int camera = 0; camera < kMostCameras; ++camera) {
@@ -222,6 +227,7 @@ QWidget* CaptureStation::buildWorkPage() {
   other_numbers_->setObjectName(QStringLiteral("numbersOfAnotherBag"));
   other_numbers_->hide();
   connect(other_numbers_, &MessagePanel::acted, wizard_, &CaptureWizard::takeNumbersAsRight);
+  for (MessagePanel* panel : {doubts_, other_numbers_}) panel->setBesidePrimary();
   connect(numbers_, &SherdNumbers::changed, this, &CaptureStation::followBag);
   QWidget* foot = buildFoot();
   auto* column = new QVBoxLayout(page);
@@ -346,7 +352,7 @@ void CaptureStation::setCompact(bool compact) {
 
 void CaptureStation::showFailure(const Error& error) {
   if (error.code == ErrorCode::Cancelled)
-    return emit said(tr("The import is stopped; nothing was left behind."));
+    return emit said(tr("Import cancelled. Nothing was left behind."));
   failure_->showError(error, tr("OK"));
   emit said(sentenceOf(error));
 }
@@ -395,7 +401,18 @@ void CaptureStation::follow() {
   showTrouble();
   followBag();
   followLive();
+  tellWork();
   emit lineChanged();
+}
+
+// On whatever screen the person waits.
+void CaptureStation::tellWork() {
+  const bool shooting = wizard_->isShooting();
+  if (!shooting && !working_) return;
+  working_ = shooting;
+  if (!shooting) return emit working({}, -1);
+  emit working(QStringLiteral("%1: %2").arg(wizard_->headline(), wizard_->buttonText()),
+               static_cast<double>(wizard_->stopsDone()) / std::max(1, wizard_->stops()));
 }
 
 // That the plate may be cleared is read from three metres.
@@ -411,7 +428,7 @@ void CaptureStation::followLive() {
                      : (phase == CapturePhase::Place || phase == CapturePhase::Flip)
                          ? wizard_->live()
                          : std::nullopt,
-                     phase == CapturePhase::Done ? QString() : tr("The picture is on its way."));
+                     phase == CapturePhase::Done ? QString() : tr("Loading picture…"));
   facts_->setFacts(wizard_->facts());
   numbers_->follow(session_, wizard_->batchNumber(),
                    front ? &wizard_->frontPicture()->look : nullptr);
@@ -440,7 +457,7 @@ void CaptureStation::followBag() {
                                "later in the catalogue), "
                                "or say that they are right.")
                                 .arg(numbers.join(QStringLiteral(", "))),
-                            tr("They are right"));
+                            tr("Keep these numbers"));
 }
 
 void CaptureStation::showTrouble() {
@@ -460,7 +477,7 @@ void CaptureStation::showTrouble() {
     doubts_->hide();
   else
     doubts_->showWords(
-        wizard_->asksToRepeat() ? tr("Take this side once more?") : tr("Look at this first"),
+        wizard_->asksToRepeat() ? tr("Photograph this side again?") : tr("Check this first"),
         wizard_->doubts().join(QLatin1Char('\n')), tr("Photograph again"), tr("R"));
 }
 

@@ -71,6 +71,7 @@ class CaptureStation final : public Station {
   void goOn();
   bool namesABag();  ///< what is typed; else it says so, and the cursor is there
   void follow();
+  void tellWork();
   void followLive();
   void followNumbers();
   void showTrouble();
@@ -91,7 +92,8 @@ class CaptureStation final : public Station {
   RigPage* rig_page_;
   QWidget* work_page_;
   bool compact_ = false;
-  RigChoice tried_rig_;  ///< takes the place of the kept one when it opens
+  bool working_ = false;  ///< what it does is told to the status bar
+  RigChoice tried_rig_;   ///< takes the place of the kept one when it opens
   QStackedWidget* middle_;
   PlateView* plate_;
   StopBoard* board_;

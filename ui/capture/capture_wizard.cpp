@@ -159,7 +159,7 @@ void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices
   enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
   if (state == BatchState::Placed || state == BatchState::Flipped)
     goOnWithin(state == BatchState::Placed ? batch::Side::Front : batch::Side::Back);
-  emit said(tr("%1 goes on where it was.").arg(batch_.number()));
+  emit said(tr("%1 resumes where it stopped.").arg(batch_.number()));
 }
 
 void CaptureWizard::setLive(bool on) {
@@ -401,7 +401,7 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
       prepared_ = *photographs;
       return emit changed();
     }
-    prepared_ = {};
+    if (std::exchange(prepared_, {}).total > 0) emit changed();  // the headline, too
     hear(std::any_cast<const capture::CaptureEvent&>(event));
   });
   connect(work_, &JobHandle::finished, this, [this, side](const JobOutcome& outcome) {
@@ -452,7 +452,7 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
       return taken.stop == shot.stop && taken.camera == shot.camera;
     });
     const QString why = at == shots_.end() ? QString() : at->problems.join(QStringLiteral(", "));
-    doubts_ << tr("Camera %1 at stop %2: %3")
+    doubts_ << tr("Camera %1 at position %2: %3")
                    .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
                    .arg(shot.stop + 1)
                    .arg(why);

@@ -30,7 +30,7 @@ QString CaptureWizard::headline() const {
       return !isBusy() ? tr("Stopped") : tr("Photographing the backs");
     case CapturePhase::Done:
       return doubts_.isEmpty() ? tr("You may clear the plate.")
-                               : tr("Look at the plate before you clear it");
+                               : tr("Check the plate before you clear it");
   }
   return {};
 }
@@ -38,18 +38,18 @@ QString CaptureWizard::headline() const {
 QString CaptureWizard::instruction() const {
   switch (phase_) {
     case CapturePhase::Place:
-      return tr("Fronts up, a finger's width apart, the marks at the edge of the plate free.");
+      return tr("Fronts up, a finger's width apart, the markers at the edge of the plate free.");
     case CapturePhase::ShootFront:
     case CapturePhase::ShootBack:
-      return isBusy() ? tr("Hands off the table. Esc stops it at once.")
-                      : tr("The table stands still. Saved photographs are kept.");
+      return isBusy() ? tr("Hands off the turntable. Esc stops it at once.")
+                      : tr("The turntable stands still. Saved photographs are kept.");
     case CapturePhase::Flip:
       return source_.turns_sherds ? tr("Nothing to do by hand: shoot the backs.")
                                   : tr("Shifting is fine, swapping is fine, losing one is not.");
     case CapturePhase::Done:
       return queued_
                  ? tr("%1 is in the queue; the next batch is one key away.").arg(batch_.number())
-                 : tr("Space goes on all the same, R photographs the backs again.");
+                 : tr("Space accepts anyway, R photographs the backs again.");
     case CapturePhase::NoRig:
     case CapturePhase::Opening:
       break;
@@ -60,7 +60,7 @@ QString CaptureWizard::instruction() const {
 QString CaptureWizard::buttonText() const {
   if (!question().isEmpty()) return tr("Done");
   if (fault_ && isBusy()) return tr("One moment");
-  if (fault_ && !holders_.isEmpty()) return tr("Make the desktop let go");
+  if (fault_ && !holders_.isEmpty()) return tr("Release camera");
   const bool shooting = phase_ == CapturePhase::ShootFront || phase_ == CapturePhase::ShootBack;
   if (fault_ && shooting && !shots_.empty())
     return tr("Resume at position %1").arg(qMin(stops_done_ + 1, stops()));
@@ -71,7 +71,7 @@ QString CaptureWizard::buttonText() const {
     case CapturePhase::Flip:
       return source_.turns_sherds ? tr("Shoot the backs") : tr("All turned: shoot the backs");
     case CapturePhase::Done:
-      return queued_ ? tr("Next batch") : tr("It is right: into the queue");
+      return queued_ ? tr("Next batch") : tr("Accept and queue");
     case CapturePhase::ShootFront:
     case CapturePhase::ShootBack:
       return prepared_.total > 0 ? tr("Calibration photograph %1 of %2")
@@ -111,10 +111,11 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     const int front = summary_[0]->check.sherds, back = summary_[1]->check.sherds;
     facts.push_back({front == back, tr("Front %1, back %2").arg(front).arg(back)});
     facts.push_back(
-        {true, tr("%n photograph(s) are safe", nullptr, summary_[0]->kept + summary_[1]->kept)});
+        {true, tr("%n photograph(s) saved", nullptr, summary_[0]->kept + summary_[1]->kept)});
     if (queued_ && batch_.isComputed())
       facts.push_back(
-          {true, tr("Its sherds stand in the review (Ctrl+3): look while they still lie here")});
+          {true,
+           tr("Its sherds are in the review (Ctrl+3): check them while they still lie here")});
     return facts;
   }
   if (!live_ || (phase_ != CapturePhase::Place && phase_ != CapturePhase::Flip)) {
@@ -143,8 +144,8 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   const int needed = capture::markersNeeded(look.markers_on_plate);
   facts.push_back({look.markers_seen >= needed,
                    look.markers_seen >= needed
-                       ? tr("Marks %1 of %2").arg(look.markers_seen).arg(look.markers_on_plate)
-                       : tr("Marks %1 of %2, %3 are needed")
+                       ? tr("Markers %1 of %2").arg(look.markers_seen).arg(look.markers_on_plate)
+                       : tr("Markers %1 of %2, %3 needed")
                              .arg(look.markers_seen)
                              .arg(look.markers_on_plate)
                              .arg(needed)});

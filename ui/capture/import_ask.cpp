@@ -21,7 +21,7 @@ ImportAsk::ImportAsk(QWidget* parent)
   words_->setWordWrap(true);
   import_ = new QPushButton(tr("Import"), this);
   import_->setObjectName(QStringLiteral("importStart"));
-  auto* leave = new QPushButton(tr("Import nothing"), this);
+  auto* leave = new QPushButton(tr("Cancel import"), this);
   leave->setObjectName(QStringLiteral("importLeave"));
   auto* row = new QHBoxLayout;
   row->addWidget(place_, 1);

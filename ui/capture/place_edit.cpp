@@ -96,7 +96,7 @@ QString PlaceEdit::noteWords() {
     known_.clear();
     return tr("no bag: no numbers yet");
   }
-  if (!isUsable()) return tr("site-trench-context-bag, please");
+  if (!isUsable()) return tr("write site-trench-context-bag");
   const QString news = news_ ? news_(place()) : QString();
   if (news.isEmpty()) known_ = text();
   return news.isEmpty() ? QString() : tr("New: %1 (Esc takes it back)").arg(news);

@@ -30,7 +30,7 @@ void StopBoard::setThumbnails(Thumbnails* thumbnails) {
 
 void StopBoard::follow() {
   setAccessibleDescription(
-      tr("%1 of %2 stops are done").arg(wizard_->stopsDone()).arg(wizard_->stops()));
+      tr("%1 of %2 positions done").arg(wizard_->stopsDone()).arg(wizard_->stops()));
   update();
 }
 

@@ -117,7 +117,7 @@ void BulkEdit::buildLayout() {
   bar_->setObjectName("bulkProgress");
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the changes"));
-  stop_ = new QPushButton(icon("cancel"), tr("Stop and take back"), this);
+  stop_ = new QPushButton(icon("cancel"), tr("Cancel and undo"), this);
   stop_->setObjectName("bulkStop");
   stop_->setMinimumHeight(controlHeight(*this));
   column->addWidget(bar_);
@@ -235,11 +235,10 @@ void BulkEdit::showPreview(const Preview& preview) {
     if (i >= preview.records.size() || is_same) continue;
     const int row = table_->rowCount();
     table_->insertRow(row);
-    const QString number = QString::fromStdString(preview.records[i].number);
-    table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
+    table_->setItem(row, 0, new QTableWidgetItem(sherdName(preview.records[i])));
     table_->setItem(row, 1, new QTableWidgetItem(shownValue(change, change.old_value, words_)));
     auto* then = new QTableWidgetItem(
-        !change.refusal.empty() ? tr("refused: %1").arg(wordsOf(change.refusal))
+        !change.refusal.empty() ? tr("rejected: %1").arg(wordsOf(change.refusal))
         : change.asks()         ? questionWords(change.findings)
                                 : shownValue(change, change.new_value, words_));
     then->setToolTip(then->text());
@@ -250,7 +249,7 @@ void BulkEdit::showPreview(const Preview& preview) {
   table_->resizeColumnsToContents();
   table_->resizeRowsToContents();
   const QString counts =
-      tr("%1 change, %2 stay as they are, %3 are refused.").arg(changed).arg(same).arg(refused);
+      tr("%1 change, %2 stay unchanged, %3 are rejected.").arg(changed).arg(same).arg(refused);
   note_ = leftBehindWords(preview.move);
   QStringList lines = QStringList(counts) + reasonsOf(preview.shown);
   if (asked > 0) lines << tr("%n value(s) ask for a confirmation.", nullptr, asked);

@@ -47,13 +47,11 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
       change.field == "void_reason" && !shown.new_value.empty() && shown.old_value.empty();
   if (voids) {
     const auto sherd = catalogue.sherd(change.sherd);
-    const std::string number = sherd ? sherd->number : std::string();
-    details_->ask(
-        field, value,
-        tr("A void sherd gets no label, drawing or place on a plate, and its number is "
-           "never given again. Is %1 void: \u201c%2\u201d?")
-            .arg(number.empty() ? tr("no number yet") : QString::fromStdString(number), value),
-        tr("Yes, it is void"));
+    details_->ask(field, value,
+                  tr("A void sherd gets no label, drawing or place on a plate, and its number is "
+                     "never given again. Is %1 void: \u201c%2\u201d?")
+                      .arg(sherd ? sherdName(*sherd) : QString(), value),
+                  tr("Void sherd"));
   } else {
     keepField(field, QString::fromStdString(change.value));
   }

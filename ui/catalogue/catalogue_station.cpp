@@ -80,7 +80,7 @@ QWidget* CatalogueStation::buildFilterLine() {
     complain(model_->setFilter(line));
     filter_->showConditions(model_->filter());
   });
-  auto* to_import = new QPushButton(icon("import"), tr("Import …"), this);
+  auto* to_import = new QPushButton(icon("import"), tr("Import…"), this);
   to_import->setObjectName("import");
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
                             .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
@@ -316,7 +316,7 @@ void CatalogueStation::tellOfImports() {
                  .arg(left.of)
                  .toHtmlEscaped();
   if (lines.isEmpty()) return;
-  lines << QStringLiteral("<a href=\"forget\">%1</a>").arg(tr("Do not tell this again"));
+  lines << QStringLiteral("<a href=\"forget\">%1</a>").arg(tr("Dismiss"));
   complain(lines.join(QStringLiteral("<br>")));
 }
 
@@ -409,6 +409,7 @@ void CatalogueStation::showCount() {
   const int rows = model_->rowCount();
   filter_->showCount(rows);
   left_->setCurrentIndex(rows > 0 ? 0 : model_->filter().conditions.empty() ? 1 : 2);
+  export_->setEnabled(rows > 0);  // the one thing to do is another then
 }
 
 std::vector<catalogue::SherdRow> CatalogueStation::selected() const {

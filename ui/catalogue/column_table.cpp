@@ -30,7 +30,7 @@ QString whyOf(const exchange::ColumnChoice& choice) {
     case exchange::ChosenBy::Nobody:
       break;
   }
-  return ColumnTable::tr("no field of this name; kept as a field of your own");
+  return ColumnTable::tr("no field of this name; kept as your own field");
 }
 
 bool wantsACheck(const exchange::ColumnChoice& choice) {
@@ -82,7 +82,7 @@ QWidget* ColumnTable::fieldBox(int row, const exchange::ColumnChoice& choice, bo
   auto* box = new QComboBox(this);
   box->setObjectName(QStringLiteral("columnField%1").arg(row));
   box->setAccessibleName(tr("Field of the column %1").arg(QString::fromStdString(choice.column)));
-  box->addItem(tr("leave out"), QString());
+  box->addItem(tr("skip"), QString());
   box->addItem(tr("own field: %1").arg(ownField(choice).mid(6)), ownField(choice));
   for (const std::string& field : exchange::fieldsOfTables(of_contexts))
     box->addItem(fieldLabel(field), QString::fromStdString(field));

@@ -61,12 +61,12 @@ QLayout* DrawingPage::buildChoices() {
   scale_->addItem(tr("1 : 1"), 1.0);
   scale_->addItem(tr("1 : 2"), 0.5);
   surface_ = choice("drawingSurface", tr("How surfaces are drawn"));
-  surface_->addItem(tr("Light and shade of the form"), static_cast<int>(drawing::Surface::Relief));
+  surface_->addItem(tr("Shaded form"), static_cast<int>(drawing::Surface::Relief));
   surface_->addItem(tr("With paint and slip"), static_cast<int>(drawing::Surface::Painted));
   rim_ = choice("drawingRim", tr("Whether it is a rim"));
-  rim_->addItem(tr("As the parts say, or as is likely"), FromCatalogue);
-  rim_->addItem(tr("It is a rim"), Yes);
-  rim_->addItem(tr("It is no rim"), No);
+  rim_->addItem(tr("Automatic"), FromCatalogue);
+  rim_->addItem(tr("Rim sherd"), Yes);
+  rim_->addItem(tr("No rim"), No);
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   for (const auto& [text, box] : {std::pair(tr("Scale"), scale_),
@@ -77,6 +77,12 @@ QLayout* DrawingPage::buildChoices() {
     connect(box, &QComboBox::activated, this, &DrawingPage::choicesChanged);
   }
   alignForm(*form);
+  for (int row = 0; row < form->rowCount(); ++row)  // the pane is narrower than a page
+    form->itemAt(row, QFormLayout::LabelRole)->widget()->setMinimumWidth(0);
+  for (QComboBox* box : {scale_, surface_, rim_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+  }
   return form;
 }
 
@@ -88,8 +94,8 @@ QLayout* DrawingPage::buildActs() {
     return made;
   };
   enter_ = button("enterRim", "check", tr("Enter the diameter"));
-  save_ = button("saveDrawing", "export", tr("Save …"));
-  print_ = button("printDrawing", "print", tr("Print …"));
+  save_ = button("saveDrawing", "export", tr("Save…"));
+  print_ = button("printDrawing", "print", tr("Print…"));
   connect(enter_, &QPushButton::clicked, this, &DrawingPage::enterRim);
   connect(save_, &QPushButton::clicked, this, &DrawingPage::save);
   connect(print_, &QPushButton::clicked, this, &DrawingPage::print);
@@ -133,8 +139,8 @@ void DrawingPage::buildLayout() {
     connect(made, &QToolButton::clicked, this, [this, by] { showPage(page_ + by); });
     return made;
   };
-  previous_ = turn("previous", tr("The sheet before"), -1);
-  next_ = turn("next", tr("The next sheet"), 1);
+  previous_ = turn("previous", tr("Previous sheet"), -1);
+  next_ = turn("next", tr("Next sheet"), 1);
   next_->setObjectName("nextSheet");
   where_ = new QLabel(this);
   where_->setObjectName("whichSheet");
@@ -236,7 +242,7 @@ void DrawingPage::draw() {
     drawing_.clear();
     const auto drawn = outcomeAs<std::shared_ptr<const Drawn>>(outcome);
     if (drawn) return arrived(*drawn);
-    problem_ = drawn.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was drawn.")
+    problem_ = drawn.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was drawn.")
                                                           : sentenceOf(drawn.error());
     refresh();
   });
@@ -276,7 +282,7 @@ const drawing::Mouth* DrawingPage::mouth() const {
 
 QString DrawingPage::words() const {
   if (!problem_.isEmpty()) return problem_;
-  if (drawing_) return tr("Drawing %n sherd(s) …", nullptr, static_cast<int>(sherds_.size()));
+  if (drawing_) return tr("Drawing %n sherd(s)…", nullptr, static_cast<int>(sherds_.size()));
   if (sherds_.empty()) return tr("Choose a sherd.");
   if (!drawn_) return {};
   QStringList lines;

@@ -27,7 +27,7 @@ const char* labelOf(const QString& field) {
       {"number", QT_TRANSLATE_NOOP("Fields", "number")},
       {"uuid", QT_TRANSLATE_NOOP("Fields", "identifier")},
       {"state", QT_TRANSLATE_NOOP("Fields", "state")},
-      {"void_reason", QT_TRANSLATE_NOOP("Fields", "void because")},
+      {"void_reason", QT_TRANSLATE_NOOP("Fields", "reason voided")},
       {"site", QT_TRANSLATE_NOOP("Fields", "site")},
       {"trench", QT_TRANSLATE_NOOP("Fields", "trench")},
       {"context", QT_TRANSLATE_NOOP("Fields", "context")},
@@ -51,12 +51,12 @@ const char* labelOf(const QString& field) {
       {"date_edtf", QT_TRANSLATE_NOOP("Fields", "date")},
       {"length_mm", QT_TRANSLATE_NOOP("Fields", "length, mm")},
       {"width_mm", QT_TRANSLATE_NOOP("Fields", "width, mm")},
-      {"thickness_min_mm", QT_TRANSLATE_NOOP("Fields", "thickness least, mm")},
+      {"thickness_min_mm", QT_TRANSLATE_NOOP("Fields", "minimum thickness, mm")},
       {"thickness_mean_mm", QT_TRANSLATE_NOOP("Fields", "thickness, mm")},
-      {"thickness_max_mm", QT_TRANSLATE_NOOP("Fields", "thickness most, mm")},
+      {"thickness_max_mm", QT_TRANSLATE_NOOP("Fields", "maximum thickness, mm")},
       {"area_mm2", QT_TRANSLATE_NOOP("Fields", "area, mm²")},
       {"volume_mm3", QT_TRANSLATE_NOOP("Fields", "volume, mm³")},
-      {"filled_pct", QT_TRANSLATE_NOOP("Fields", "not seen, %")},
+      {"filled_pct", QT_TRANSLATE_NOOP("Fields", "unseen surface, %")},
       {"rim_diameter_mm", QT_TRANSLATE_NOOP("Fields", "rim diameter, mm")},
       {"rim_pct", QT_TRANSLATE_NOOP("Fields", "rim kept, %")},
       {"weight_g", QT_TRANSLATE_NOOP("Fields", "weight, g")},
@@ -90,6 +90,12 @@ QString measureText(double value) {
   return QLocale().toString(value, 'f', value >= 1000 ? 0 : 2);
 }
 
+QString sherdName(const catalogue::SherdRecord& sherd) {
+  if (!sherd.number.empty()) return QString::fromStdString(sherd.number);
+  if (sherd.piece == 0 || sherd.batch_number.empty()) return tr("no number yet");
+  return tr("sherd %1 of %2").arg(sherd.piece).arg(QString::fromStdString(sherd.batch_number));
+}
+
 QString stateLabel(catalogue::SherdState state) {
   switch (state) {
     case catalogue::SherdState::Numbered:
@@ -99,7 +105,7 @@ QString stateLabel(catalogue::SherdState state) {
     case catalogue::SherdState::Draft:
       break;
   }
-  return tr("draft");
+  return tr("no number yet");
 }
 
 QString methodLabel(const std::string& method) {

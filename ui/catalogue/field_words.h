@@ -38,6 +38,9 @@ const double* computedBeside(const catalogue::SherdRecord& sherd, const std::str
 /// What speaks against a measurement, in sentences, and the act that saves it all the same.
 QString questionWords(const std::vector<catalogue::MeasureFinding>& findings);
 QString confirmWords(const std::vector<catalogue::MeasureFinding>& findings);
+/// Its number, or what stands on its batch's map and in the review before it has one: "sherd 3 of
+/// B0004".
+QString sherdName(const catalogue::SherdRecord& sherd);
 QString stateLabel(catalogue::SherdState state);
 /// How a value was measured: "by the program", "on a scale".
 QString methodLabel(const std::string& method);

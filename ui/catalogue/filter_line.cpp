@@ -95,7 +95,7 @@ void FilterLine::showConditions(const catalogue::Filter& filter) {
     chip->setIcon(icon("cancel"));
     chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     chip->setObjectName("chip");
-    chip->setAccessibleName(tr("Take away the condition %1").arg(text));
+    chip->setAccessibleName(tr("Remove the condition %1").arg(text));
     connect(chip, &QToolButton::clicked, this,
             [this, line = QString::fromStdString(fewer.text())] { setText(line); });
     chips_->addWidget(chip);

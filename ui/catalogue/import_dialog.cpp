@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/catalogue/column_table.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {
@@ -23,15 +24,15 @@ QString wordOf(exchange::RowFate fate) {
     case exchange::RowFate::Fresh:
       return ImportDialog::tr("new");
     case exchange::RowFate::Changed:
-      return ImportDialog::tr("changed");
+      return ImportDialog::tr("updated");
     case exchange::RowFate::Refused:
-      return ImportDialog::tr("refused");
+      return ImportDialog::tr("rejected");
     case exchange::RowFate::Asked:
       return ImportDialog::tr("to confirm");
     case exchange::RowFate::Same:
       break;
   }
-  return ImportDialog::tr("as it is");
+  return ImportDialog::tr("unchanged");
 }
 
 QIcon iconOf(exchange::RowFate fate) {
@@ -67,11 +68,10 @@ void ImportDialog::buildLayout() {
     auto* made = new QPushButton(icon(picture), text, this);
     made->setObjectName(name);
     made->setMinimumHeight(controlHeight(*this));
-    made->setAutoDefault(false);
     return made;
   };
-  choose_table_ = button("importTable", "table", tr("A table (CSV) …"));
-  choose_export_ = button("importExport", "folder", tr("An export folder …"));
+  choose_table_ = button("importTable", "table", tr("Table (CSV)…"));
+  choose_export_ = button("importExport", "folder", tr("Export folder…"));
   connect(choose_table_, &QPushButton::clicked, this, &ImportDialog::chooseTable);
   connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
   source_ = new QLabel(this);
@@ -90,7 +90,7 @@ void ImportDialog::buildLayout() {
   problem_->setWordWrap(true);
   table_ = new QTableWidget(this);
   table_->setObjectName("importRows");
-  table_->setAccessibleName(tr("What each row would do"));
+  table_->setAccessibleName(tr("Effect of each row"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
@@ -104,14 +104,17 @@ void ImportDialog::buildLayout() {
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the import"));
-  refusals_ = button("importRefusals", "export", tr("Save what is refused …"));
+  refusals_ = button("importRefusals", "export", tr("Save rejected rows…"));
   connect(refusals_, &QPushButton::clicked, this, &ImportDialog::saveRefusals);
   confirm_ = button("importConfirm", "check", {});
   connect(confirm_, &QPushButton::clicked, &model_, &ImportModel::confirmAll);
   cancel_ = button("importCancel", "cancel", {});
   connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
-  enter_ = button("importEnter", "check", {});
-  enter_->setDefault(true);
+  auto* enter = new BigButton(this);
+  enter->setObjectName("importEnter");
+  enter->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  enter->setDefault(true);
+  enter_ = enter;
   connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);
   auto* first = new QHBoxLayout;
   first->addWidget(choose_table_);
@@ -151,8 +154,8 @@ void ImportDialog::chooseExport() {
 }
 
 void ImportDialog::saveRefusals() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save what is refused"),
-                                                    tr("refused.csv"), tr("Tables (*.csv)"));
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save rejected rows"),
+                                                    tr("rejected.csv"), tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
   const QString why = model_.saveRefusals(file);
   problem_->setText(why.isEmpty() ? tr("Saved: %1").arg(file) : why);
@@ -169,8 +172,7 @@ void ImportDialog::confirmed(QTableWidgetItem* item) {
 void ImportDialog::fill() {
   const QSignalBlocker quiet(table_);
   const std::vector<ImportModel::Row>& rows = model_.rows();
-  const QStringList head =
-      QStringList{tr("line"), tr("what happens"), tr("why not")} + model_.columns();
+  const QStringList head = QStringList{tr("Line"), tr("Action"), tr("Reason")} + model_.columns();
   table_->setColumnCount(static_cast<int>(head.size()));
   table_->setHorizontalHeaderLabels(head);
   table_->setRowCount(static_cast<int>(rows.size()));
@@ -180,10 +182,9 @@ void ImportDialog::fill() {
     line->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(r, 0, line);
     auto* fate = new QTableWidgetItem(iconOf(row.fate), wordOf(row.fate));
-    if (row.fate == exchange::RowFate::Asked) {
-      fate->setFlags(fate->flags() | Qt::ItemIsUserCheckable);
-      fate->setCheckState(Qt::Unchecked);
-    }
+    const bool asks = row.fate == exchange::RowFate::Asked;
+    fate->setFlags(fate->flags().setFlag(Qt::ItemIsUserCheckable, asks));
+    if (asks) fate->setCheckState(Qt::Unchecked);
     table_->setItem(r, 1, fate);
     auto* why = new QTableWidgetItem(row.refusal);
     why->setToolTip(row.refusal);
@@ -231,8 +232,8 @@ void ImportDialog::refresh() {
   choose_table_->setEnabled(state != State::Entering);
   choose_export_->setEnabled(state != State::Entering);
   places_->setVisible(!model_.isOfContexts());  // such a table is there to make them
-  summary_->setText(state == State::Looking ? tr("Looking at it …")
-                    : state == State::Done  ? tr("Entered: %1").arg(model_.summary())
+  summary_->setText(state == State::Looking ? tr("Reading…")
+                    : state == State::Done  ? tr("Imported: %1").arg(model_.summary())
                                             : model_.summary());
   QStringList words = model_.warnings();
   if (!model_.problem().isEmpty()) words.prepend(model_.problem());
@@ -247,10 +248,15 @@ void ImportDialog::refresh() {
   showColumns();
   {
     const QSignalBlocker quiet(table_);
-    for (int r = 0; r < table_->rowCount(); ++r)
-      if (table_->item(r, 1)->flags().testFlag(Qt::ItemIsUserCheckable))
-        table_->item(r, 1)->setCheckState(
-            model_.isConfirmed(table_->item(r, 0)->text().toInt()) ? Qt::Checked : Qt::Unchecked);
+    for (int r = 0; r < table_->rowCount(); ++r) {
+      QTableWidgetItem* fate = table_->item(r, 1);
+      if (!fate->flags().testFlag(Qt::ItemIsUserCheckable)) continue;
+      const bool taken = model_.isConfirmed(table_->item(r, 0)->text().toInt());
+      fate->setCheckState(taken ? Qt::Checked : Qt::Unchecked);
+      if (state != State::Done) continue;
+      fate->setText(wordOf(taken ? exchange::RowFate::Changed : exchange::RowFate::Refused));
+      fate->setIcon(iconOf(taken ? exchange::RowFate::Changed : exchange::RowFate::Refused));
+    }
   }
   bar_->setVisible(works);
   bar_->setValue(qRound(1000 * model_.fraction()));
@@ -258,10 +264,10 @@ void ImportDialog::refresh() {
   const int asked = model_.report() ? model_.report()->asked : 0;
   confirm_->setVisible(asked > 0 && state == State::Ready);
   confirm_->setText(tr("Confirm %n row(s)", nullptr, asked));
-  cancel_->setText(state == State::Done ? tr("Close") : works ? tr("Stop") : tr("Take nothing"));
+  cancel_->setText(state == State::Done ? tr("Close") : works ? tr("Stop") : tr("Cancel"));
   const int count = model_.entering();
   enter_->setText(count == 0 && model_.canEnter() ? tr("Keep the other versions")
-                                                  : tr("Enter %n row(s)", nullptr, count));
+                                                  : tr("Import %n row(s)", nullptr, count));
   enter_->setEnabled(model_.canEnter());
   enter_->setVisible(state != State::Done);
 }

@@ -265,7 +265,7 @@ void ImportModel::took(const Look& look) {
 
 QString ImportModel::summary() const {
   if (!report_) return {};
-  const QString counts = tr("%1 new, %2 changed, %3 as they are, %4 refused.")
+  const QString counts = tr("%1 new, %2 updated, %3 unchanged, %4 rejected.")
                              .arg(report_->fresh)
                              .arg(report_->changed)
                              .arg(report_->same)
@@ -319,15 +319,17 @@ void ImportModel::enter() {
     job_.clear();
     if (!report) {
       state_ = State::Ready;
-      problem_ = report.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was entered.")
-                                                             : sentenceOf(report.error());
+      problem_ = report.error().code == ErrorCode::Cancelled
+                     ? tr("Cancelled. Nothing was imported.")
+                     : sentenceOf(report.error());
       return emit changed();
     }
     state_ = State::Done;
-    problem_ = report->not_reached == 0
-                   ? QString()
-                   : tr("Stopped: %n row(s) are not entered. Import the table again for the rest.",
-                        nullptr, report->not_reached);
+    problem_ =
+        report->not_reached == 0
+            ? QString()
+            : tr("Cancelled: %n row(s) were not imported. Import the table again for the rest.",
+                 nullptr, report->not_reached);
     report_ = *report;
     emit changed();
     emit entered(source_, *report);

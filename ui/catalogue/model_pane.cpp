@@ -43,6 +43,8 @@ ModelPane::ModelPane(QWidget* parent) : QWidget(parent) {
   label_ = new QLabel(this);
   label_->setAlignment(Qt::AlignCenter);
   label_->setMinimumSize(1, 1);
+  label_->setPalette(mattePalette());  // as the model stands on
+  label_->setAutoFillBackground(true);
   label_->setAccessibleName(tr("Picture of the sherd"));
   pages_ = new QStackedWidget(this);
   pages_->addWidget(label_);
@@ -161,9 +163,10 @@ void ModelPane::fetch() {
 void ModelPane::showPicture() {
   const int size = std::max(1, std::min({label_->width(), label_->height(), kPicture}));
   const int sign = std::min(size, 3 * fontMetrics().height());  // that there is none: no picture
-  label_->setPixmap(picture_.isNull() ? icon("sherd").pixmap(sign, sign)
-                                      : picture_.scaled(size, size, Qt::KeepAspectRatio,
-                                                        Qt::SmoothTransformation));
+  label_->setPixmap(
+      picture_.isNull()
+          ? icon("sherd", mattePalette().color(QPalette::Text)).pixmap(sign, sign)
+          : picture_.scaled(size, size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
 
 void ModelPane::resizeEvent(QResizeEvent* event) {

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStringListModel>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <set>
@@ -79,7 +80,7 @@ void SherdDetails::buildLayout() {
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   number_->setWordWrap(true);
   number_->setAccessibleName(tr("Number of the sherd"));
-  give_number_ = new ElidedButton(icon("label"), tr("Give the number %1").arg(QString()), page);
+  give_number_ = new ElidedButton(icon("label"), tr("Assign number %1").arg(QString()), page);
   give_number_->setObjectName("giveNumber");
   give_number_->setMinimumHeight(controlHeight(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
@@ -259,6 +260,13 @@ void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
   showUnsaved();
 }
 
+// In a narrow pane labels stand above their fields, which would have no room beside them.
+void SherdDetails::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  const bool narrow = viewport()->width() < 2 * Look::kLabelColumn;
+  form_->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::WrapLongRows);
+}
+
 // Esc gives up what was typed; Ctrl+Z in a field where nothing was typed is the catalogue's.
 bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
   auto* line = qobject_cast<QLineEdit*>(watched);
@@ -325,8 +333,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   sherd_ = row;
   widget()->setEnabled(true);
   refusal_->hide();
-  number_->setText(sherd->number.empty() ? tr("no number yet")
-                                         : QString::fromStdString(sherd->number));
+  number_->setText(sherdName(*sherd));
   if (!sherd->number.empty()) {
     give_number_->hide();
     why_no_number_->hide();
@@ -335,8 +342,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     give_number_->setVisible(proposed.has_value());
     why_no_number_->setVisible(!proposed);
     if (proposed)
-      give_number_->setText(
-          tr("Give the number %1").arg(QString::fromStdString(proposed->front())));
+      give_number_->setText(tr("Assign number %1").arg(QString::fromStdString(proposed->front())));
     else
       why_no_number_->setText(wordsOf(proposed.error().what));
   }
@@ -479,7 +485,6 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
   refusal_picture_->setVisible(!other.isEmpty());
   confirm_->hide();
   if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
-  // Under the field that it is about.
   int row = 0;
   QFormLayout::ItemRole role = QFormLayout::FieldRole;
   if (form_->indexOf(refusal_) >= 0)
@@ -489,7 +494,7 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
   form_->getWidgetPosition(editors_.value(name), &row, &role);
   form_->insertRow(row + 1, refusal_);
   refusal_->show();
-  ensureWidgetVisible(refusal_);
+  QTimer::singleShot(0, refusal_, [this] { ensureWidgetVisible(refusal_); });  // in its height
 }
 
 }  // namespace ostraka::ui

@@ -139,7 +139,7 @@ QString SherdEdits::assignNumbers(const std::vector<catalogue::SherdRow>& sherds
   if (isBusy()) return busyWords();
   const QString nothing = tr("The sherds that are chosen have their numbers.");
   const auto title = [](const Changes& changes) {
-    return tr("number %n sherd(s)", nullptr, static_cast<int>(changes.size()));
+    return tr("numbering of %n sherd(s)", nullptr, static_cast<int>(changes.size()));
   };
   const auto leftWords = [](const Numbers& numbers) {
     if (numbers.left == 0) return QString();
@@ -196,7 +196,7 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
     const auto made = outcomeAs<std::shared_ptr<const Made>>(outcome);
     emit busyChanged();
     if (!made) {
-      emit failed(made.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was changed.")
+      emit failed(made.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was changed.")
                                                             : sentenceOf(made.error()));
       return;
     }

@@ -182,7 +182,9 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
   if (!sherd) return {};
   const double* computed = computedBeside(*sherd, field);
   if (role == Qt::DecorationRole && index.column() != 0)
-    return computed == nullptr ? QVariant() : icon("measure");
+    return computed == nullptr
+               ? QVariant()
+               : QVariant(icon("measure").pixmap(Look::kIcon, Look::kIcon));  // beside the figure
   if (role == Qt::FontRole) {
     QFont font;
     if (isNumber(field)) return tabularFont(font);
@@ -205,7 +207,7 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
     return tr("%1: %2, in doubt").arg(fieldLabel(field), text);
   if (role == Qt::AccessibleTextRole)
     return tr("%1: %2").arg(fieldLabel(field), text.isEmpty() ? tr("not recorded") : text);
-  if (field == "number" && text.isEmpty()) return tr("no number yet");
+  if (field == "number") return sherdName(*sherd);
   return text;
 }
 

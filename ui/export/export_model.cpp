@@ -3,7 +3,11 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
@@ -19,6 +23,7 @@ namespace {
 constexpr double kBytesPerSecond = 60e6;
 constexpr double kSecondsPerDrawing = 2;  // of a sherd of 60 mm
 constexpr double kSecondsPerLighter = 3;  // likewise
+constexpr const char* kChoicesKey = "export.choices";
 
 Result<std::vector<catalogue::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
                                                 ExportModel::What what, const QString& line,
@@ -28,6 +33,15 @@ Result<std::vector<catalogue::SherdRow>> rowsOf(const catalogue::Catalogue& cata
       what == ExportModel::What::Filtered ? withFieldNames(line).toStdString() : std::string());
   if (!filter) return filter.error();
   return catalogue.sherdRows(*filter, {});
+}
+
+// The same, or with the first number behind it that no folder has.
+QString freeName(const QString& folder) {
+  static const QRegularExpression counted(QStringLiteral("-\\d+$"));
+  const QString first = QString(folder).remove(counted);
+  QString name = folder;
+  for (int i = 2; QFileInfo::exists(name); ++i) name = QStringLiteral("%1-%2").arg(first).arg(i);
+  return name;
 }
 
 }  // namespace
@@ -48,10 +62,48 @@ void ExportModel::openProject(ProjectSession* session) {
   done_.reset();
   problem_.clear();
   target_.clear();  // another project's
-  if (session_)
-    target_ = QDir::home().filePath(QString::fromStdString(session_->folder().filename().string()) +
-                                    "-export");
+  if (session_) readChoices();
   measureSize();
+}
+
+void ExportModel::readChoices() {
+  const exchange::ExportOptions usual;
+  forms_ = usual.forms;
+  drawing_scale_ = usual.drawing_scale;
+  deviation_mm_ = usual.deviation_mm;
+  parent_ = QDir::homePath();
+  const Result<std::string> kept = session_->project().catalogue().setting(kChoicesKey);
+  const QJsonObject choices =
+      QJsonDocument::fromJson(QByteArray::fromStdString(kept ? *kept : std::string())).object();
+  if (!choices.isEmpty()) {
+    forms_.clear();
+    for (const QJsonValue& form : choices[QStringLiteral("forms")].toArray())
+      if (form.toInt(-1) >= 0 && form.toInt() <= static_cast<int>(exchange::Form::Views))
+        forms_.insert(static_cast<exchange::Form>(form.toInt()));
+    const double scale = choices[QStringLiteral("drawing_scale")].toDouble();
+    drawing_scale_ = scale > 0 ? std::optional(scale) : std::nullopt;
+    deviation_mm_ = qBound(0.0, choices[QStringLiteral("deviation_mm")].toDouble(), 1.0);
+    const QString parent = choices[QStringLiteral("folder")].toString();
+    if (!parent.isEmpty() && QFileInfo(parent).isDir()) parent_ = parent;
+  }
+  target_ = proposedTarget();
+}
+
+void ExportModel::keepChoices() const {
+  if (!session_) return;
+  QJsonArray forms;
+  for (const exchange::Form form : forms_) forms.append(static_cast<int>(form));
+  const QJsonObject choices{{QStringLiteral("forms"), forms},
+                            {QStringLiteral("drawing_scale"), drawing_scale_.value_or(0)},
+                            {QStringLiteral("deviation_mm"), deviation_mm_},
+                            {QStringLiteral("folder"), parent_}};
+  (void)session_->project().catalogue().setSetting(
+      kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact).toStdString());
+}
+
+QString ExportModel::proposedTarget() const {
+  return freeName(QDir(parent_).filePath(
+      QString::fromStdString(session_->folder().filename().string()) + QStringLiteral("-export")));
 }
 
 void ExportModel::setWatched(bool watched) {
@@ -93,6 +145,7 @@ void ExportModel::chooseAnew() {
 // What was exported before is told until somebody wants something else.
 void ExportModel::forgetDone() {
   if (state_ == State::Running) return;
+  if (state_ == State::Done) target_ = freeName(target_);  // never over what was written
   state_ = State::Choosing;
   done_.reset();
 }
@@ -102,23 +155,25 @@ void ExportModel::setForm(exchange::Form form, bool wanted) {
     forms_.insert(form);
   else
     forms_.erase(form);
+  keepChoices();
   chooseAnew();
 }
 
 void ExportModel::setDrawingScale(std::optional<double> scale) {
   drawing_scale_ = scale;
-  forgetDone();
-  emit changed();
+  keepChoices();
+  chooseAnew();
 }
 
 void ExportModel::setDeviation(double deviation_mm) {
   deviation_mm_ = deviation_mm;
+  keepChoices();
   chooseAnew();
 }
 
 void ExportModel::setTarget(const QString& folder) {
-  target_ = folder.trimmed();
   forgetDone();
+  target_ = folder.trimmed();
   emit changed();
 }
 
@@ -167,8 +222,8 @@ bool ExportModel::canStart() const {
 }
 
 QString ExportModel::sizeText() const {
-  if (!size_) return session_ && problem_.isEmpty() ? tr("Counting …") : QString();
-  if (size_->sherds == 0) return tr("No sherd fits; choose others.");
+  if (!size_) return session_ && problem_.isEmpty() ? tr("Counting…") : QString();
+  if (size_->sherds == 0) return tr("No sherds match this selection.");
   const QLocale locale;
   const double seconds = static_cast<double>(size_->bytes) / kBytesPerSecond +
                          0.01 * static_cast<double>(size_->sherds) +
@@ -211,6 +266,8 @@ QStringList ExportModel::warnings() const {
 
 void ExportModel::start() {
   if (!canStart()) return;
+  parent_ = QFileInfo(target_).absolutePath();
+  keepChoices();
   state_ = State::Running;
   fraction_ = 0;
   seconds_left_ = -1;
@@ -242,7 +299,7 @@ void ExportModel::ended(const Result<exchange::Exported>& done) {
     done_ = *done;
   } else {
     state_ = State::Failed;
-    problem_ = done.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was left behind.")
+    problem_ = done.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was left behind.")
                                                          : sentenceOf(done.error());
   }
   emit changed();

@@ -12,7 +12,8 @@ namespace ostraka::ui {
 
 class ProjectSession;
 
-/// What is exported, in which forms, where to, and how far it is. Runs without a display.
+/// What is exported, in which forms, where to, and how far it is. Each project remembers its forms
+/// and the folder that its exports lie in. Runs without a display.
 class ExportModel final : public QObject {
   Q_OBJECT
 
@@ -31,6 +32,8 @@ class ExportModel final : public QObject {
   const std::vector<catalogue::SherdRow>& chosen() const { return chosen_; }
   const std::set<exchange::Form>& forms() const { return forms_; }
   const QString& target() const { return target_; }
+  std::optional<double> drawingScale() const { return drawing_scale_; }
+  double deviation_mm() const { return deviation_mm_; }
   void setAll();
   void setFilter(const QString& line);
   void setChosen(std::vector<catalogue::SherdRow> sherds);
@@ -62,12 +65,15 @@ class ExportModel final : public QObject {
   void chooseAnew();
   void forgetDone();
   void measureSize();
+  void readChoices();
+  void keepChoices() const;
+  QString proposedTarget() const;
   void ended(const Result<exchange::Exported>& done);
   exchange::ExportOptions options() const;
 
   ProjectSession* session_ = nullptr;
   What what_ = What::All;
-  QString filter_, target_, problem_;
+  QString filter_, target_, problem_, parent_;
   std::vector<catalogue::SherdRow> chosen_;
   std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
   std::optional<double> drawing_scale_ = 1;

@@ -15,6 +15,7 @@
 #include <QSignalBlocker>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
@@ -108,12 +109,12 @@ QWidget* ExportStation::buildScale(QWidget* box) {
   scale->setMinimumHeight(controlHeight(*this));
   scale->addItem(tr("1 : 1"), 1.0);
   scale->addItem(tr("1 : 2"), 0.5);
-  scale->addItem(tr("as fits A4"), QVariant());
+  scale->addItem(tr("fit to A4"), QVariant());
   connect(scale, &QComboBox::activated, &model_, [this, scale](int at) {
     const QVariant chosen = scale->itemData(at);
     model_.setDrawingScale(chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt);
   });
-  return scale;
+  return scale_ = scale;
 }
 
 QWidget* ExportStation::buildDetail(QWidget* box) {
@@ -126,10 +127,10 @@ QWidget* ExportStation::buildDetail(QWidget* box) {
   detail->setMinimumHeight(controlHeight(*this));
   detail->addItem(tr("Full detail"), 0.0);
   for (const double off_mm : {0.1, 0.2, 0.4})
-    detail->addItem(tr("lighter, to %1 mm").arg(locale().toString(off_mm)), off_mm);
+    detail->addItem(tr("simplified, within %1 mm").arg(locale().toString(off_mm)), off_mm);
   connect(detail, &QComboBox::activated, &model_,
           [this, detail](int at) { model_.setDeviation(detail->itemData(at).toDouble()); });
-  return detail;
+  return detail_ = detail;
 }
 
 QWidget* ExportStation::buildWhere() {
@@ -137,7 +138,7 @@ QWidget* ExportStation::buildWhere() {
   target_ = new QLineEdit(box);
   target_->setObjectName("target");
   target_->setAccessibleName(tr("New folder for the export"));
-  auto* choose = new QPushButton(icon("folder"), tr("Choose …"), box);
+  auto* choose = new QPushButton(icon("folder"), tr("Choose…"), box);
   choose->setObjectName("browse");
   choose->setMinimumHeight(controlHeight(*this));
   target_->setMinimumHeight(controlHeight(*this));
@@ -169,7 +170,9 @@ void ExportStation::buildLayout() {
   start_->setObjectName("start");
   cancel_ = new QPushButton(icon("cancel"), tr("Cancel"), this);
   cancel_->setObjectName("cancel");
-  open_ = new QPushButton(icon("folder"), tr("Open folder"), this);
+  open_ = new BigButton(this);
+  open_->setText(tr("Open folder"));
+  open_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   open_->setObjectName("open");
   start_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
@@ -194,6 +197,7 @@ void ExportStation::buildLayout() {
   middle->addStretch();
   auto* foot = new QHBoxLayout;
   foot->addWidget(size_, 1);
+  foot->addWidget(closing_, 1);
   foot->addWidget(bar_, 1);
   foot->addWidget(open_);
   foot->addWidget(cancel_);
@@ -201,12 +205,11 @@ void ExportStation::buildLayout() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   column->addWidget(new PageArea(choices, this), 1);
-  column->addWidget(closing_);
   column->addLayout(foot);
 }
 
 QAbstractButton* ExportStation::primary() const {
-  return start_;
+  return model_.state() == ExportModel::State::Done ? open_ : start_;
 }
 
 void ExportStation::openProject(ProjectSession& session) {
@@ -260,7 +263,7 @@ void ExportStation::takeChosen(const QString& what) {
 }
 
 void ExportStation::browse() {
-  const QString parent = QFileDialog::getExistingDirectory(this, tr("Where shall the folder be?"));
+  const QString parent = QFileDialog::getExistingDirectory(this, tr("Folder for the export"));
   if (parent.isEmpty()) return;
   const QString name = model_.target().section('/', -1);
   model_.setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
@@ -278,16 +281,20 @@ void ExportStation::refresh() {
   chosen_->setEnabled(!model_.chosen().empty());
   if (!filter_->hasFocus()) filter_->setText(model_.filter());
   for (const auto& [check, form] : forms_) check->setChecked(model_.forms().contains(form));
+  const auto drawing_scale = model_.drawingScale();
+  scale_->setCurrentIndex(drawing_scale ? scale_->findData(*drawing_scale) : scale_->count() - 1);
+  detail_->setCurrentIndex(std::max(0, detail_->findData(model_.deviation_mm())));
   if (!target_->hasFocus()) target_->setText(model_.target());
   size_->setText(model_.sizeText());
-  size_->setVisible(!running);
+  const bool done = model_.state() == ExportModel::State::Done;
+  size_->setVisible(!running && !done);
   QString problem = model_.problem();
   const QStringList warnings = model_.warnings();
   if (!warnings.isEmpty()) problem += (problem.isEmpty() ? "" : "\n") + warnings.join('\n');
   problem_->setText(problem);
   problem_->setVisible(!problem.isEmpty());
   closing_->setText(model_.closingLine());
-  closing_->setVisible(model_.state() == ExportModel::State::Done);
+  closing_->setVisible(done);
   bar_->setVisible(running);
   bar_->setValue(qRound(1000 * model_.fraction()));
   bar_->setFormat(model_.progressText());
@@ -298,7 +305,8 @@ void ExportStation::refresh() {
   if (begun && isVisible()) cancel_->setFocus();  // else Esc would find nobody
   emit working(running ? tr("Export: %1").arg(model_.progressText()) : QString(),
                running ? model_.fraction() : -1);
-  open_->setVisible(model_.state() == ExportModel::State::Done);
+  open_->setVisible(done);
+  start_->setVisible(!done);
   for (QWidget* box : findChildren<QGroupBox*>()) box->setEnabled(!running);
 }
 

@@ -3,6 +3,7 @@
 #include "ui/frame/station.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -52,6 +53,8 @@ class ExportStation final : public Station {
   QRadioButton* chosen_ = nullptr;
   QLineEdit* filter_ = nullptr;
   std::vector<std::pair<QCheckBox*, exchange::Form>> forms_;
+  QComboBox* scale_ = nullptr;
+  QComboBox* detail_ = nullptr;
   QLineEdit* target_ = nullptr;
   QLabel* size_ = nullptr;
   QLabel* problem_ = nullptr;

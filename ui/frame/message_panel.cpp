@@ -73,6 +73,10 @@ void MessagePanel::setSecondAct(const QString& act) {
   second_->setVisible(!act.isEmpty());
 }
 
+void MessagePanel::setBesidePrimary() {
+  act_->setPrimary(false);
+}
+
 QAbstractButton* MessagePanel::act() const {
   return isHidden() || act_->isHidden() ? nullptr : act_;
 }

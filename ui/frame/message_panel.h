@@ -26,6 +26,8 @@ class MessagePanel final : public QFrame {
                  const QString& key = {});
   /// A second, smaller act; empty hides it.
   void setSecondAct(const QString& act);
+  /// Beside a page's own primary button: outlined.
+  void setBesidePrimary();
   QAbstractButton* act() const;  ///< null while it is hidden
   void setCompact(bool compact);
   QString headline() const;

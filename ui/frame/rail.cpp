@@ -19,7 +19,7 @@ constexpr double kNarrow = 0.8;  // of the letters' size, below their pictures
 Rail::Rail(QWidget* parent)
     : QFrame(parent), group_(new QActionGroup(this)), column_(new QVBoxLayout(this)) {
   setObjectName(QStringLiteral("rail"));
-  setAccessibleName(tr("Stations"));
+  setAccessibleName(tr("Screens"));
   column_->setContentsMargins(Look::kGap / 2, Look::kGap, Look::kGap / 2, Look::kGap);
   column_->setSpacing(2);
   column_->addStretch(1);

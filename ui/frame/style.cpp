@@ -67,6 +67,14 @@ class OstrakaStyle final : public QProxyStyle {
     return size;
   }
 
+  // Letters keep clear of the round corners.
+  QRect subElementRect(SubElement element, const QStyleOption* option,
+                       const QWidget* widget) const override {
+    const QRect usual = QProxyStyle::subElementRect(element, option, widget);
+    if (element != SE_LineEditContents || widget == nullptr || isInner(*widget)) return usual;
+    return usual.adjusted(Look::kCorner, 0, -Look::kCorner, 0);
+  }
+
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     const QPalette& colours = option->palette;

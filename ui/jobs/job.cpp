@@ -103,11 +103,11 @@ JobOutcome outcomeOf(const JobWork& work, Progress& progress, const std::stop_to
   try {
     return work(progress, stop);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::Failed,
-                 QCoreApplication::translate(
-                     "Job", "The memory does not suffice; close other programs and try again.")
-                     .toStdString(),
-                 {}};
+    return Error{
+        ErrorCode::Failed,
+        QCoreApplication::translate("Job", "Not enough memory. Close other programs and try again.")
+            .toStdString(),
+        {}};
   } catch (const std::exception& error) {
     return Error{ErrorCode::Failed,
                  QCoreApplication::translate(

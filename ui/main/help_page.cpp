@@ -133,7 +133,7 @@ void HelpPage::showAbout() {
                tr("Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file "
                   "LICENSE and the README name them all.")
                    .toHtmlEscaped(),
-               tr("Nothing leaves this computer: there is no network in it.").toHtmlEscaped()));
+               tr("Nothing leaves this computer: the program uses no network.").toHtmlEscaped()));
   text_->setFocus();
 }
 

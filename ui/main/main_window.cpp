@@ -151,6 +151,10 @@ void MainWindow::buildLayout() {
   connect(repair, &CatalogueRepair::told, start_, &StartScreen::showRepair);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
+  connect(all_, &QStackedWidget::currentChanged, this, [this, work] {
+    if (all_->currentWidget() == work) return;
+    for (Station* station : stations_) station->setInFront(false);  // a live picture rests
+  });
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
   connect(queue_, &BatchQueue::batchComputed, this,
@@ -277,7 +281,7 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   writeSettings(settings_);
   const bool read_only = !QFileInfo(path).isWritable() ||
                          !QFileInfo(path + QStringLiteral("/catalogue.sqlite")).isWritable();
-  if (read_only) title_ = tr("%1 (can only be read)").arg(title_);
+  if (read_only) title_ = tr("%1 (read-only)").arg(title_);
   setWindowTitle(tr("%1 - Ostraka").arg(title_));
   all_->setCurrentIndex(1);
   connect(session_.get(), &ProjectSession::batchChanged, this, &MainWindow::followLines);
@@ -287,7 +291,7 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   });
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   if (read_only)
-    footer_->say(tr("This project can only be read: look at everything; changes are refused."));
+    footer_->say(tr("This project is read-only: you can look at everything, but change nothing."));
   measureRoom();
   if (!read_only) backUp();
   file_watch_->look(folder);
@@ -409,7 +413,7 @@ void MainWindow::showShortcuts() {
   for (const Station* station : stations_) {
     screens.emplace_back(station->title(), station);
     if (station == queue_station_)
-      screens.emplace_back(tr("Queue: mending masks"), queue_station_->masksPage());
+      screens.emplace_back(tr("Queue: editing masks"), queue_station_->masksPage());
   }
   screens.emplace_back(tr("Everywhere"), this);
   help_->showShortcuts(screens);

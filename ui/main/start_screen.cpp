@@ -209,7 +209,7 @@ void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QStr
     auto* item = new QListWidgetItem(
         isThere(folder)
             ? tr("%1\n%2, %3").arg(title, shortPath(folder), momentWords(catalogue.lastModified()))
-            : tr("%1\n%2 is not there: find it …").arg(title, shortPath(folder)),
+            : tr("%1\n%2 is not there: find it…").arg(title, shortPath(folder)),
         recent_);
     // Moved, or on a disk that is unplugged: it comes back with it.
     if (!isThere(folder))

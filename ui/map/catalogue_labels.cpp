@@ -48,16 +48,24 @@ QString codeOf(QLatin1Char kind, const QString& number, const std::string& id) {
       .arg(number.toUpper(), QString::fromStdString(id).remove('-').right(kTail).toUpper());
 }
 
+// Files need the zeros, people do not.
+QString plainNumber(const QString& on_plate) {
+  bool counted = false;
+  const int number = on_plate.toInt(&counted);
+  return counted ? QString::number(number) : on_plate;
+}
+
 bool isTakenOut(const pipeline::MapMark& mark) {
   return mark.state == pipeline::CardState::Aside || mark.state == pipeline::CardState::Reshoot;
 }
 
-void fillIn(PlateSherd& sherd, const catalogue::SherdRecord& known, const pipeline::MapMark& mark) {
+void fillIn(PlateSherd& sherd, const QString& on_label, const catalogue::SherdRecord& known,
+            const pipeline::MapMark& mark) {
   SherdLabel& label = sherd.label;
   label.context = placeOf(known.site, known.trench, known.context_number, known.bag_number);
   sherd.has_final_number = !known.number.empty();
   if (sherd.has_final_number) label.number = QString::fromStdString(known.number);
-  label.code = codeOf(QLatin1Char('S'), label.number, known.id);
+  label.code = codeOf(QLatin1Char('S'), sherd.has_final_number ? label.number : on_label, known.id);
   // A draft whose front has no partner is void without anybody's word.
   const bool alone = isTakenOut(mark) || mark.state == pipeline::CardState::Alone;
   sherd.is_void = known.state == catalogue::SherdState::Void && (sherd.has_final_number || !alone);
@@ -77,9 +85,13 @@ QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
     sherd.on_plate = QString::fromStdString(mark.number);
     sherd.is_taken_out = isTakenOut(mark);
     const QString number = batch_number + QLatin1Char('-') + sherd.on_plate;
-    sherd.label = {number, {}, date, QStringLiteral("OST1:S:") + number.toUpper()};
+    sherd.label = {QCoreApplication::translate("ostraka::ui", "sherd %1 of %2")
+                       .arg(plainNumber(sherd.on_plate), batch_number),
+                   {},
+                   date,
+                   QStringLiteral("OST1:S:") + number.toUpper()};
     const catalogue::SherdRecord* record = known ? known->at(mark.place_mm) : nullptr;
-    if (record != nullptr) fillIn(sherd, *record, mark);
+    if (record != nullptr) fillIn(sherd, number, *record, mark);
     if (const auto* again = known ? known->again(mark.place_mm) : nullptr)
       sherd.again = QCoreApplication::translate("ostraka::ui", "%1 in %2")
                         .arg(QString::fromStdString(again->number),

@@ -110,8 +110,11 @@ void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label,
 }
 
 QString MapNumbers::shown(const QString& plate_number) const {
-  if (endings.isEmpty() || plate_number.isEmpty()) return plate_number;
-  return endings.value(plate_number, QStringLiteral("(%1)").arg(plate_number));
+  bool counted = false;
+  const int number = plate_number.toInt(&counted);
+  const QString plain = counted ? QString::number(number) : plate_number;  // files need the zeros
+  if (endings.isEmpty() || plate_number.isEmpty()) return plain;
+  return endings.value(plate_number, QStringLiteral("(%1)").arg(plain));
 }
 
 QString MapNumbers::whole(const QString& plate_number) const {

@@ -162,7 +162,7 @@ QString MaskModel::title(int index) const {
   if (!file.startsWith(QLatin1String("cam"),
                        Qt::CaseInsensitive))  // by hand: as the camera named it
     return QStringLiteral("%1, %2").arg(side, file);
-  return tr("%1, camera %2, stop %3").arg(side).arg(QChar('A' + p.camera)).arg(p.stop + 1);
+  return tr("%1, camera %2, position %3").arg(side).arg(QChar('A' + p.camera)).arg(p.stop + 1);
 }
 
 // Not those on a photograph that was taken again since: sherds may lie elsewhere now.

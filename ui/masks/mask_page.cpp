@@ -104,8 +104,8 @@ void MaskPage::buildLayout() {
   tools_ = new ToolRow(this);
   tools_->addWidget(which_);
   tools_->addWidget(brush);
-  tools_->addGroup(tr("Photograph"), {previous_, next_});
   tools_->addGroup(tr("Brush"), {sherd_, plate_});
+  tools_->addGroup(tr("Photograph"), {previous_, next_});
   tools_->addGroup({}, {back_});
   reprocess_ = new BigButton(this);
   reprocess_->setObjectName(QStringLiteral("masksComputeButton"));
@@ -148,6 +148,11 @@ QAbstractButton* MaskPage::primary() const {
 }
 
 void MaskPage::setCompact(bool compact) {
+  constexpr int kShort = 12;  // letters; the list that opens has room for all
+  which_->setSizeAdjustPolicy(compact ? QComboBox::AdjustToMinimumContentsLengthWithIcon
+                                      : QComboBox::AdjustToContents);
+  which_->setMinimumContentsLength(compact ? kShort : 0);
+  width_->setFixedWidth(fontMetrics().averageCharWidth() * (compact ? kShort : 20));
   tools_->setCompact(compact);
   told_->setVisible(!compact);
 }

@@ -57,12 +57,11 @@ Result<void> forgetFailure(catalogue::Catalogue& rows, const QString& number) {
 QString wordsOf(const BatchFailure& failure) {
   if (failure.aside)
     return BatchQueue::tr("You set it aside. Its photographs are kept; R takes it up again.");
-  if (failure.removed) return BatchQueue::tr("You took it out of the queue.");
-  if (failure.cancelled) return BatchQueue::tr("You stopped it. What was computed so far is kept.");
+  if (failure.removed) return BatchQueue::tr("You removed it from the queue.");
+  if (failure.cancelled) return BatchQueue::tr("You cancelled it. Finished stages are saved.");
   if (!failure.error.what.empty()) return sentenceOf(failure.error);
-  return failure.sentence.isEmpty()
-             ? BatchQueue::tr("It did not come to its end; compute it again.")
-             : failure.sentence;
+  return failure.sentence.isEmpty() ? BatchQueue::tr("It was interrupted. Reprocess it.")
+                                    : failure.sentence;
 }
 
 }  // namespace ostraka::ui

@@ -297,7 +297,7 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   busy_number_.clear();
   const Result<BatchFigures> figures = outcomeAs<BatchFigures>(outcome);
   if (figures) {
-    log(tr("%1 is computed: %n sherd(s).", nullptr, figures->sherds).arg(number));
+    log(tr("%1 is ready: %n sherd(s).", nullptr, figures->sherds).arg(number));
   } else if (figures.error().code == ErrorCode::CannotWrite) {
     // A full disk is a pause: the batch stays in the queue and goes on from its last whole stage.
     stopFor(figures.error());
@@ -461,7 +461,7 @@ int BatchQueue::failed() const {
 QString BatchQueue::workWords() const {
   if (!isBusy()) {
     const int waiting = waitingToCompute();
-    if (paused_ && waiting > 0) return tr("Paused; %n batch(es) wait.", nullptr, waiting);
+    if (paused_ && waiting > 0) return tr("Paused; %n batch(es) queued.", nullptr, waiting);
     return {};
   }
   const int at = rowOf(busy_number_);

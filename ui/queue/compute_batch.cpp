@@ -174,10 +174,9 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   figures->numbers_left = entered->numbers_left;
   if (entered->decided_meanwhile && !(again && *again))
     progress.note(NoteLevel::Warning,
-                  QCoreApplication::translate(
-                      "ComputeBatch",
-                      "Pairs were decided or masks mended while the batch was computed; compute it "
-                      "again for them.")
+                  QCoreApplication::translate("ComputeBatch",
+                                              "Pairs were decided or masks edited while the batch "
+                                              "was processed. Reprocess it for them.")
                       .toStdString());
   if (auto unlike = catalogue::unlikeBefore(rows, record->row)) figures->unlike = *unlike;
   // A sherd that was on the plate and is in no scan would be missed by nobody.

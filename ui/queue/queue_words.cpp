@@ -81,8 +81,8 @@ QString movedWords(const BatchFigures& figures) {
   QStringList sentences;
   for (const pipeline::MovedCamera& camera : figures.moved)
     sentences << BatchQueue::tr(
-                     "Camera %1 was bumped: it misses the marks by %2 px, %3 mm from "
-                     "where it was calibrated.")
+                     "Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it "
+                     "was calibrated.")
                      .arg(QString::fromStdString(batch::cameraLetter(camera.camera)),
                           QLocale().toString(camera.residual_px, 'f', 1),
                           QLocale().toString(camera.moved_mm, 'f', 1));

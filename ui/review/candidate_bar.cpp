@@ -26,7 +26,7 @@ CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
   setSizePolicy(policy);
   others_ = new QToolButton(this);
   others_->setObjectName("otherBacks");
-  others_->setText(tr("Another back …"));
+  others_->setText(tr("Another back…"));
   others_->setPopupMode(QToolButton::InstantPopup);
   others_->setMinimumHeight(controlHeight(*this));
   others_->setFocusPolicy(Qt::TabFocus);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kEdges = 8;  // pixels of the frame and between picture and words
 constexpr int kReasonLines = 3;
+constexpr double kLeastLetters = 0.7;  // of the names of two sides in a narrow card
 
 int pictureSize(const QFontMetrics& metrics) {
   return metrics.height() * 3;
@@ -112,9 +113,17 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     // Large letters find no room beside the pictures: name and state take a line below them.
     const QRect line(reason.left(), reason.top(), reason.width(), metrics.height());
     reason.setTop(line.bottom() + 1);
+    const QString state_mark = mark.isEmpty() ? state_words : mark;
+    const int room = line.width() - QFontMetrics(bold).horizontalAdvance(state_mark);
+    QFont fitting = bold;  // both numbers are seen
+    while (QFontMetrics(fitting).horizontalAdvance(name) > room &&
+           fitting.pointSizeF() > kLeastLetters * bold.pointSizeF())
+      fitting.setPointSizeF(fitting.pointSizeF() - 0.25);
+    painter->setFont(fitting);
     painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter, name);
+    painter->setFont(bold);
     painter->setPen(colours.of(colour));
-    painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, mark.isEmpty() ? state_words : mark);
+    painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, state_mark);
   }
   painter->setFont(option.font);
   painter->setPen(option.palette.color(QPalette::Text));

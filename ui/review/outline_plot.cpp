@@ -30,7 +30,7 @@ void drawFitted(QPainter& painter, const QRectF& where, const QString& words) {
 }  // namespace
 
 OutlinePlot::OutlinePlot(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Outlines laid over each other, and their turning angles"));
+  setAccessibleName(tr("Outlines overlaid, and their turning angles"));
   setMinimumHeight(fontMetrics().height() * 5);
 }
 
@@ -62,8 +62,8 @@ void OutlinePlot::paintEvent(QPaintEvent*) {
   const QRectF left(all.left(), all.top(), all.width() / 2 - 6, all.height());
   const QRectF right(all.center().x() + 6, all.top(), all.width() / 2 - 6, all.height());
   painter.setPen(palette().color(QPalette::Text));
-  drawFitted(painter, QRectF(left.left(), 0, left.width(), line), tr("outlines on each other"));
-  drawFitted(painter, QRectF(right.left(), 0, right.width(), line), tr("turning angles"));
+  drawFitted(painter, QRectF(left.left(), 0, left.width(), line), tr("Outlines overlaid"));
+  drawFitted(painter, QRectF(right.left(), 0, right.width(), line), tr("Turning angles"));
   paintOutlines(painter, left);
   paintTurns(painter, right);
 }

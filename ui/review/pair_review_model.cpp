@@ -193,13 +193,13 @@ bool PairReviewModel::isMeasured() const {
 
 QString PairReviewModel::figuresText() const {
   if (trial_.back < 0) return tr("No back is chosen.");
-  if (trial_.front < 0) return tr("This back lies alone.");
-  if (!(fit_.rim_rms_mm > 0)) return tr("The rims do not meet here.");
-  QString text =
-      tr("Rims %1 apart, %2 of them meet.").arg(mm(fit_.rim_rms_mm), percent(fit_.rim_overlap));
-  if (trial_.made == Made::ByHand) text += " " + tr("Turned by hand; B lets the rims settle it.");
+  if (trial_.front < 0) return tr("This back has no partner.");
+  if (!(fit_.rim_rms_mm > 0)) return tr("The fractures do not touch here.");
+  QString text = tr("Fractures %1 apart, %2 of them touch.")
+                     .arg(mm(fit_.rim_rms_mm), percent(fit_.rim_overlap));
+  if (trial_.made == Made::ByHand) text += " " + tr("Turned by hand; B refines the fit.");
   if (trial_.made == Made::StartPoint)
-    text += " " + tr("Start point %1; B lets the rims settle it.").arg(trial_.shift);
+    text += " " + tr("Start point %1; B refines the fit.").arg(trial_.shift);
   const QString slip = slipSentence(fit_.slip, 0);
   if (fit_.slipped && !slip.isEmpty() && fit_.slip == registration::Slip::UpsideDown)
     text += " " + slip;
@@ -374,8 +374,9 @@ void PairReviewModel::accept() {
   const std::size_t before = decisions_.size();
   decide(decision, tr("pair %1 – %2").arg(front, back));
   if (decisions_.size() > before && fit.hardlyMeets())
-    emit failed(tr("Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.")
-                    .arg(front, back, percent(fit.rim_overlap)));
+    emit failed(
+        tr("Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.")
+            .arg(front, back, percent(fit.rim_overlap)));
 }
 
 void PairReviewModel::setAside() {
@@ -412,7 +413,7 @@ void PairReviewModel::joinWith(Side side, int row) {
     decision.scans.push_back(frontRef(other.front));
   } else {
     if (one.back < 0 || other.back < 0)
-      return emit failed(tr("One of the two has no back to be joined."));
+      return emit failed(tr("One of the two has no back to merge."));
     decision.scans = {backRef(one.back), backRef(other.back)};
   }
   decide(decision,

@@ -66,7 +66,7 @@ void PairReviewModel::settle() {
         if (fit) fit->shift = from.shift;
         return fit;
       },
-      Made::Settled, tr("settling by the rims"));
+      Made::Settled, tr("refining the fit"));
 }
 
 void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm) {
@@ -131,9 +131,7 @@ void PairReviewModel::fetchModel() {
     if (front != trial_.front || back != trial_.back) return;
     emit modelFetched(model ? *model : nullptr);
     if (!model)
-      emit failed(
-          tr("This pair has no closed model yet; it is made when the "
-             "batch is computed."));
+      emit failed(tr("This pair has no closed model yet. Reprocess the batch to make it."));
   });
 }
 

@@ -332,7 +332,8 @@ void ReviewPane::leave() {
 void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
   QStringList rims;
   for (const double rim : model_.settlingRims()) rims << mm(rim, 2);
-  figures_->setText(tr("The rims settle: %1. Esc stops.").arg(rims.join(QStringLiteral(" → "))));
+  figures_->setText(
+      tr("Refining the fit, fracture gap %1. Esc stops.").arg(rims.join(QStringLiteral(" → "))));
   if (!closed_->isChecked()) view_->setPose(front_from_back);
   forgetMeasured();
 }
@@ -355,7 +356,7 @@ void ReviewPane::forgetMeasured() {
 void ReviewPane::showFigures() {
   if (model_.trial().front_from_back.matrix() != measured_at_.matrix()) forgetMeasured();
   reason_->setText(words());
-  figures_->setText(model_.isSettling() ? tr("The rims are compared … Esc stops.")
+  figures_->setText(model_.isSettling() ? tr("Comparing the fractures… Esc stops.")
                                         : model_.figuresText());
   // A missing name is said by the click, not by a dead button.
   accept_->setEnabled(model_.isOpen() && model_.front() >= 0 && model_.trial().back >= 0);

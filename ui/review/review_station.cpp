@@ -144,9 +144,8 @@ void ReviewStation::showScale() {
   doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
   const bool none = model_->isOpen() && !model_->live()->table().has_scale;
   scale_words_->setText(
-      none ? tr("No length on %1 is known: no figure and no length shown here is in millimetres.")
-                 .arg(batch_)
-           : tr("None of the measures of %1 is sure. %2").arg(batch_, doubts));
+      none ? tr("%1 has no scale: no length shown here is in millimetres.").arg(batch_)
+           : tr("No measurement of %1 is certain. %2").arg(batch_, doubts));
   QPalette look;  // the one colour only: all others follow the theme
   look.setColor(QPalette::Window, StateColours(QApplication::palette()).behind(State::Ask));
   scale_->setPalette(look);
@@ -273,7 +272,7 @@ void ReviewStation::compute() {
       catalogue::queueAgain(session_->project().catalogue(), batch_.toStdString(), session_->act());
   if (!queued) return say(sentenceOf(queued.error()));
   compute_->hide();
-  say(tr("%1 waits to be computed; only what changed is done again.").arg(batch_));
+  say(tr("%1 is queued; only what changed is reprocessed.").arg(batch_));
   session_->tellBatchChanged(batch_);
 }
 
@@ -286,10 +285,9 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
   const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
                       decision.kind == pipeline::DecisionKind::Split;
   say(!edited.isEmpty() ? edited
-      : pieces          ? tr("Saved. The pairs of the new pieces come when it is computed.")
-      : decision.kind == pipeline::DecisionKind::Withdraw
-          ? tr("Taken back. Both are kept in the history.")
-          : tr("Saved, with your name."));
+      : pieces          ? tr("Saved. Pairs of the new fragments appear after reprocessing.")
+      : decision.kind == pipeline::DecisionKind::Withdraw ? tr("Undone. The history keeps both.")
+                                                          : tr("Saved, with your name."));
   if (session_->hasProject()) {
     if (shown) {
       compute_->setVisible(model_->wantsComputing());
@@ -337,20 +335,19 @@ QString ReviewStation::editedWords(const QString& batch, const pipeline::PairDec
     const pipeline::ScanRef& cut = edit.scans.front();
     const auto* sherd = cut.side == batch::Side::Front ? sherds.at(cut.place_mm) : nullptr;
     if (sherd == nullptr || sherd->number.empty()) return {};
-    return tr("Saved. When it is computed the number %1 goes to the half that it was typed on, or "
-              "else to the larger one. Undo makes them one again.")
+    return tr("Saved. After reprocessing, number %1 goes to the half that it was typed on, or else "
+              "to the larger one. Undo merges them again.")
         .arg(QString::fromStdString(sherd->number));
   }
   const catalogue::JoinedNumbers numbers = sherds.afterJoin(edit);
   if (numbers.left.empty()) return {};
   const QString left = QString::fromStdString(numbers.left);
-  return numbers.kept.empty()
-             ? tr("Saved. When it is computed the joined sherd will have no number, and %1 stays "
-                  "without a piece. Undo parts them again.")
-                   .arg(left)
-             : tr("Saved. When it is computed the joined sherd keeps the number %1, and %2 stays "
-                  "without a piece. Undo parts them again.")
-                   .arg(QString::fromStdString(numbers.kept), left);
+  return numbers.kept.empty() ? tr("Saved. After reprocessing, the merged sherd has no number, and "
+                                   "%1 has no fragment. Undo separates them again.")
+                                    .arg(left)
+                              : tr("Saved. After reprocessing, the merged sherd keeps the number "
+                                   "%1, and %2 has no fragment. Undo separates them again.")
+                                    .arg(QString::fromStdString(numbers.kept), left);
 }
 
 // What the catalogue calls the sherds on the cards.
@@ -486,8 +483,7 @@ void ReviewStation::countElsewhere() {
 }
 
 QString ReviewStation::waitingText() const {
-  return waiting() == 0 ? tr("No pair needs your eye")
-                        : tr("%n pair(s) need your eye", nullptr, waiting());
+  return waiting() == 0 ? tr("No pairs to review") : tr("%n pair(s) to review", nullptr, waiting());
 }
 
 void ReviewStation::say(const QString& sentence) {

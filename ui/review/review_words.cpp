@@ -34,7 +34,7 @@ QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
     return capitalised(
         tr("%1 would fit %2 almost as well.")
             .arg(nameOf(table.backs, card.back), nameOf(table.fronts, card.rival_front)));
-  return tr("Another partner fits nearly as well.");
+  return tr("Another partner fits almost as well.");
 }
 
 QString askSentence(const ReviewCard& card, const CandidateTable& table, const CardStory& story) {
@@ -105,16 +105,16 @@ QString slipSentence(Slip slip, double value) {
       return tr("The faces cross: %1 of the front lies behind the back.").arg(percent(value));
     case Slip::NoSharedRim:
       return value < 0.02
-                 ? tr("The two scans share almost no broken edge; outlines alone tie them.")
-                 : tr("The two scans share only %1 of the broken edge.").arg(percent(value));
+                 ? tr("The two scans share almost no fracture; only their outlines match.")
+                 : tr("The two scans share only %1 of the fracture.").arg(percent(value));
     case Slip::RimMisfits:
-      return tr("The broken edges do not fit: %1 apart.").arg(mm(value));
+      return tr("The fractures do not fit: %1 apart.").arg(mm(value));
     case Slip::RimLoose:
-      return tr("The rim hardly fixes the position: uncertain by %1.").arg(mm(value));
+      return tr("The fracture barely fixes the position: uncertain by %1.").arg(mm(value));
     case Slip::RivalPlace:
-      return tr("A place %1 along the rim fits nearly as well.").arg(mm(value, 1));
+      return tr("A position %1 along the contour fits almost as well.").arg(mm(value, 1));
     case Slip::OutlinesAlone:
-      return tr("The rims cannot be compared; outlines alone tie these sides.");
+      return tr("The fractures cannot be compared; only the outlines match.");
     case Slip::None:
       break;
   }
@@ -154,7 +154,7 @@ State stateColour(CardState state) {
 }
 
 QString hardlyMeetSentence(const pipeline::LiveFit& fit) {
-  return tr("The rims hardly meet: %1 of them.").arg(percent(fit.rim_overlap));
+  return tr("The fractures barely touch: %1 of them.").arg(percent(fit.rim_overlap));
 }
 
 QString madeWord(Made made) {
@@ -164,7 +164,7 @@ QString madeWord(Made made) {
     case Made::StartPoint:
       return tr("start point");
     case Made::Settled:
-      return tr("settled");
+      return tr("refined");
     case Made::Program:
       break;
   }
@@ -177,19 +177,20 @@ QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit*
   const QString chance = scoreWords(score), meets = percent(fit ? fit->rim_overlap : 0);
   QString text;
   if (trial.made == Made::ByHand)
-    text = fit ? tr("Turned by hand: %1 of the rims meet.").arg(meets) : tr("Turned by hand.");
-  else if (trial.made == Made::StartPoint)
-    text = fit ? tr("Another start point is tried: %1 of the rims meet.").arg(meets)
-               : tr("Another start point is tried.");
-  else if (trial.made == Made::Settled)
     text =
-        fit ? tr("Settled by the rims: %1 of them meet.").arg(meets) : tr("Settled by the rims.");
+        fit ? tr("Turned by hand: %1 of the fractures touch.").arg(meets) : tr("Turned by hand.");
+  else if (trial.made == Made::StartPoint)
+    text = fit ? tr("Trying another start point: %1 of the fractures touch.").arg(meets)
+               : tr("Trying another start point.");
+  else if (trial.made == Made::Settled)
+    text = fit ? tr("Refined by the fractures: %1 of them touch.").arg(meets)
+               : tr("Refined by the fractures.");
   else if (!fit)
-    text = tr("%1 is tried: %2.").arg(back, chance);
+    text = tr("Trying %1: %2.").arg(back, chance);
   else if (fit->rim_rms_mm > 0)
-    text = tr("%1 is tried: %2, rims %3 apart.").arg(back, chance, mm(fit->rim_rms_mm));
+    text = tr("Trying %1: %2, fractures %3 apart.").arg(back, chance, mm(fit->rim_rms_mm));
   else
-    text = tr("%1 is tried: %2; its rims do not meet.").arg(back, chance);
+    text = tr("Trying %1: %2; its fractures do not touch.").arg(back, chance);
   if (card.back < 0 || card.back == trial.back) return capitalised(text);
   text = capitalised(text);
   const QString instead = nameOf(table.backs, card.back);

@@ -28,7 +28,7 @@ NumberingEdit::NumberingEdit(QWidget* parent)
       example_(new QLabel(this)),
       told_(new QLabel(this)),
       gaps_(new QLabel(this)),
-      apply_(new QPushButton(tr("Number so from &now on"), this)) {
+      apply_(new QPushButton(tr("Use this &numbering"), this)) {
   setObjectName(QStringLiteral("numbering"));
   scheme_->setObjectName(QStringLiteral("numberingScheme"));
   scheme_->setToolTip(
@@ -65,7 +65,7 @@ void NumberingEdit::buildLayout() {
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setVerticalSpacing(fontMetrics().height() / 2);
   form->addRow(tr("N&umbering"), scheme_);
-  form->addRow(tr("A sherd will be"), example_);
+  form->addRow(tr("Example"), example_);
   auto* block = new QHBoxLayout;
   block->addWidget(first_, 1);
   auto* to = new QLabel(tr("to"), this);

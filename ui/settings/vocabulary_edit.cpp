@@ -34,7 +34,7 @@ class VocabularyCommand final : public QUndoCommand {
  public:
   VocabularyCommand(VocabularyEdit& edit, const QString& vocabulary,
                     std::vector<catalogue::Term> before, std::vector<catalogue::Term> after)
-      : QUndoCommand(VocabularyEdit::tr("change the words")),
+      : QUndoCommand(VocabularyEdit::tr("change the vocabulary")),
         edit_(edit),
         vocabulary_(vocabulary),
         before_(std::move(before)),
@@ -66,7 +66,7 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
       which_(new QComboBox(this)),
       terms_(new QPlainTextEdit(this)),
       told_(new QLabel(this)),
-      save_(new QPushButton(tr("&Save the words"), this)) {
+      save_(new QPushButton(tr("&Save vocabulary"), this)) {
   setObjectName(QStringLiteral("vocabulary"));
   for (const auto& [words, name] :
        {std::pair(tr("part"), "part"), std::pair(tr("surface"), "surface"),
@@ -75,7 +75,7 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
     which_->addItem(words, QString::fromLatin1(name));
   which_->setObjectName(QStringLiteral("vocabularyWhich"));
   terms_->setObjectName(QStringLiteral("vocabularyTerms"));
-  terms_->setAccessibleName(tr("Words, one a line"));
+  terms_->setAccessibleName(tr("Terms, one per line"));
   terms_->setTabChangesFocus(true);
   told_->setObjectName(QStringLiteral("vocabularyTold"));
   told_->setWordWrap(true);
@@ -90,13 +90,13 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
 }
 
 void VocabularyEdit::buildLayout() {
-  auto* title = new QLabel(tr("Words of the open project"), this);
+  auto* title = new QLabel(tr("Project vocabulary"), this);
   title->setFont(scaledFont(*this, Look::kSection, true));
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setVerticalSpacing(fontMetrics().height() / 2);
   form->addRow(tr("&Words for"), which_);
-  form->addRow(tr("&One a line"), terms_);
+  form->addRow(tr("&One per line"), terms_);
   form->addRow(QString(), told_);
   form->addRow(QString(), save_);
   terms_->setFixedHeight(fontMetrics().lineSpacing() * kLines);
@@ -132,7 +132,7 @@ void VocabularyEdit::showTerms() {
       held_ = std::move(*terms);
   terms_->setPlainText(drafts_.value(shown_, linesOf(held_)));
   told_->setText(drafts_.contains(shown_)
-                     ? tr("These words are not saved yet.")
+                     ? tr("These terms are not saved yet.")
                      : tr("A word that sherds use already stays; change those first."));
 }
 

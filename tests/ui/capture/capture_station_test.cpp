@@ -196,7 +196,7 @@ class CaptureStationTest : public QObject {
     auto* fault = child<MessagePanel>("captureFault");
     QTRY_VERIFY(fault->words().contains("by its program gvfsd-gphoto2 (77)"));
     auto* button = fault->findChild<BigButton*>(QStringLiteral("messageAct"));
-    QCOMPARE(button->text(), QStringLiteral("Make the desktop let go"));
+    QCOMPARE(button->text(), QStringLiteral("Release camera"));
     QTest::mouseClick(button, Qt::LeftButton);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QCOMPARE(rig_->released, 1);
@@ -291,7 +291,7 @@ class CaptureStationTest : public QObject {
     QCOMPARE(bar->value(), 25);
     QTest::mouseClick(stop, Qt::LeftButton);
     QTRY_COMPARE(said.count(), 1);
-    QVERIFY(said[0][0].toString().contains("stopped"));
+    QVERIFY(said[0][0].toString().contains("cancelled"));
     QVERIFY(!stop->isVisible());
     QVERIFY(shownMessage() == nullptr);
     QVERIFY(session_->project().catalogue().batches()->empty());

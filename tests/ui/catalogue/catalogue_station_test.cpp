@@ -334,7 +334,7 @@ class CatalogueStationTest : public CatalogueWindow {
     QVERIFY2(!apply->isVisible(), "one such act at a time");
     QTest::mouseClick(stop, Qt::LeftButton);
     QTRY_VERIFY(!stop->isVisible());
-    QTRY_COMPARE(child<QLabel>("problem")->text(), QString("Stopped; nothing was changed."));
+    QTRY_COMPARE(child<QLabel>("problem")->text(), QString("Cancelled. Nothing was changed."));
     for (const int sherd : {0, 200, 399}) QVERIFY(large.value(sherd, "ware") != "white");
     QCOMPARE(large.session().undo().count(), 0);
     QTest::mouseClick(apply, Qt::LeftButton);
@@ -356,7 +356,7 @@ class CatalogueStationTest : public CatalogueWindow {
     choose(0);
     auto* give = child<QPushButton>("giveNumber");
     QVERIFY(give->isVisible());
-    QCOMPARE(give->text(), QString("Give the number ARM1-T3-0012-0021"));
+    QCOMPARE(give->text(), QString("Assign number ARM1-T3-0012-0021"));
     QTest::mouseClick(give, Qt::LeftButton);
     QCOMPARE(sample_->value(40, "number"), QString("ARM1-T3-0012-0021"));
     sample_->session().undo().undo();

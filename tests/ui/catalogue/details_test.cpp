@@ -186,6 +186,54 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "state"), QString("numbered"));
   }
 
+  // 7 for 72: one key of a tired hand.
+  void aSlipOverAComputedLengthIsAskedAboutAndTheComputedOneIsKept() {
+    catalogue::Measurement length;
+    length.sherd = sample_->sherds()[0];
+    length.kind = "length";
+    length.unit = "mm";
+    length.value = 72.39;
+    QVERIFY(sample_->catalogue().measure(length, {}).has_value());
+    choose(0);
+    auto* line = child<QLineEdit>("field_length_mm");
+    const QString computed = line->text();
+    const auto type = [line](const char* text) {
+      line->setFocus();
+      line->selectAll();
+      QTest::keyClicks(line, text);
+      QTest::keyClick(line, Qt::Key_Return);
+    };
+    type("7");
+    auto* yes = child<QPushButton>("confirmChange");
+    QVERIFY(yes->isVisible());
+    const QString question = child<QLabel>("refusalText")->text();
+    QVERIFY2(question.contains("three times off") && question.contains("below the width"),
+             qPrintable(question));
+    QCOMPARE(sample_->value(0, "length_mm"), computed);
+    // The question and its button are seen whole, at the end of a small page, too.
+    QTRY_COMPARE(yes->visibleRegion().boundingRect(), yes->rect());
+    QTest::keyClick(line, Qt::Key_Escape);
+    QVERIFY(!yes->isVisible());
+    QCOMPARE(line->text(), computed);
+    type("71.5");  // plausible, and still not without a word
+    QVERIFY(yes->isVisible());
+    QCOMPARE(yes->text(), QString("Replace with measured value"));
+    QTest::mouseClick(yes, Qt::LeftButton);
+    QCOMPARE(sample_->value(0, "length_mm"), QString("71.5"));
+    const auto sherd = sample_->catalogue().sherd(sample_->sherds()[0]);
+    QCOMPARE(QString::number(sherd->replaced.at("length")), computed);
+    // Its mark in the table leaves room for the figure.
+    const QAbstractItemModel* rows = table()->model();
+    int marks = 0;
+    for (int column = 1; column < rows->columnCount(); ++column)
+      if (const QVariant mark = rows->index(0, column).data(Qt::DecorationRole); mark.isValid()) {
+        ++marks;
+        QCOMPARE(rows->headerData(column, Qt::Horizontal).toString(), QString("length, mm"));
+        QVERIFY(mark.value<QPixmap>().width() > 0 && mark.value<QPixmap>().width() <= 24);
+      }
+    QCOMPARE(marks, 1);
+  }
+
   void tabGoesFromTheNumberDownTheForm() {
     choose(0);
     auto* number = child<QLineEdit>("field_number");
@@ -224,7 +272,7 @@ class DetailsTest : public CatalogueWindow {
     field->setCurrentIndex(field->findData("context"));
     QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
     auto* summary = child<QLabel>("bulkSummary");
-    QTRY_VERIFY(summary->text().startsWith("2 change, 0 stay as they are, 0 are refused."));
+    QTRY_VERIFY(summary->text().startsWith("2 change, 0 stay unchanged, 0 are rejected."));
     QVERIFY2(summary->text().contains("old context: 4."), qPrintable(summary->text()));
     QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
     for (const int sherd : {0, 2}) {

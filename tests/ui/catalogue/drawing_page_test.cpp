@@ -161,7 +161,7 @@ class DrawingPageTest : public QObject {
     QTest::mouseClick(child<QPushButton>("drawMany"), Qt::LeftButton);
     QVERIFY(child<QPushButton>("stopDrawing")->isVisible());
     QTest::mouseClick(child<QPushButton>("stopDrawing"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(words().startsWith("Stopped"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(words().startsWith("Cancelled"), 30000);
     QVERIFY(page_->pages().empty());
     QVERIFY(child<QPushButton>("drawMany")->isVisible());
   }

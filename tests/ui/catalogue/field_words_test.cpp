@@ -15,7 +15,7 @@ class German final : public QTranslator {
     if (qstrcmp(context, "Fields") != 0) return {};
     static const QHash<QString, QString> kWords{{"thickness, mm", "Dicke, mm"},
                                                 {"context", "Befund"},
-                                                {"thickness least, mm", "Dicke, kleinste, mm"},
+                                                {"minimum thickness, mm", "Dicke, kleinste, mm"},
                                                 {"date", "Datum"},
                                                 {"ware", "Ware"}};
     return kWords.value(QString::fromUtf8(source));

@@ -54,7 +54,7 @@ class ExportStationTest : public QObject {
   }
 
   void theSizeIsShownBeforeItStarts() {
-    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("40 sherd(s), 30 files"));
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("40 sherd(s), 83 files"));
     station_->showItem("filter:rim");
     QVERIFY(child<QRadioButton>("filtered")->isChecked());
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("14 sherd(s)"));
@@ -76,6 +76,48 @@ class ExportStationTest : public QObject {
     QCOMPARE(child<QLineEdit>("target")->text(), QString());
     station_->openProject(other.session());
     QCOMPARE(child<QLineEdit>("target")->text(), proposed(other));
+  }
+
+  void aProjectRemembersWhatItsExportsWereMadeOf() {
+    const auto form = [this](exchange::Form kind) {
+      return child<QCheckBox>(qPrintable("form" + QString::number(static_cast<int>(kind))));
+    };
+    form(exchange::Form::Drawings)->click();
+    form(exchange::Form::Csv)->click();
+    for (const char* box : {"exportScale", "exportDetail"}) {
+      child<QComboBox>(box)->setFocus();
+      QTest::keyClick(child<QComboBox>(box), Qt::Key_End);
+    }
+    toFolder("Hill");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QVERIFY2(station_->model().state() == ExportModel::State::Done,
+             qPrintable(station_->model().problem()));
+    SampleProject other(1, "other");  // has choices of its own
+    station_->openProject(other.session());
+    QVERIFY(!form(exchange::Form::Drawings)->isChecked());
+    QVERIFY(form(exchange::Form::Csv)->isChecked());
+    station_->openProject(sample_->session());
+    QVERIFY(form(exchange::Form::Drawings)->isChecked());
+    QVERIFY(!form(exchange::Form::Csv)->isChecked());
+    QCOMPARE(child<QComboBox>("exportScale")->currentText(), QString("fit to A4"));
+    QVERIFY(child<QComboBox>("exportDetail")->currentText().contains("0.4 mm"));
+    QVERIFY2(child<QLineEdit>("target")->text().startsWith(sample_->folder() + "/"),
+             qPrintable(child<QLineEdit>("target")->text()));
+  }
+
+  void theNextExportIsProposedANameThatIsFree() {
+    toFolder("out");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    child<QLineEdit>("target")->clearFocus();
+    child<QRadioButton>("filtered")->click();
+    QCOMPARE(child<QLineEdit>("target")->text(), sample_->folder() + "/out-2");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
   }
 
   void whatWasChosenInTheCatalogueComesAlong() {
@@ -116,7 +158,7 @@ class ExportStationTest : public QObject {
     sample_->session().tellSherdsChanged();
     QTest::qWait(0);
     QVERIFY(!station_->model().canStart());
-    QCOMPARE(station_->model().sizeText(), QString("Counting …"));
+    QCOMPARE(station_->model().sizeText(), QString("Counting…"));
     QVERIFY(station_->model().findChildren<JobHandle*>().isEmpty());
     station_->show();
     QTRY_VERIFY(size->text().startsWith("41 sherd(s)"));
@@ -163,7 +205,7 @@ class ExportStationTest : public QObject {
     scale->setFocus();
     QTest::keyClick(scale, Qt::Key_Down);
     toFolder("drawn");
-    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 5 files"));
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 19 files"));
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
     const QSignalSpy finished(&station_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
@@ -205,7 +247,7 @@ class ExportStationTest : public QObject {
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     station_->model().cancel();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
-    QVERIFY(child<QLabel>("problem")->text().contains("nothing was left behind"));
+    QVERIFY(child<QLabel>("problem")->text().contains("Nothing was left behind"));
     QVERIFY(!QFileInfo::exists(sample_->folder() + "/stopped"));
     QVERIFY(!QFileInfo::exists(sample_->folder() + "/stopped.partial"));
   }

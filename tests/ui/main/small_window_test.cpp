@@ -68,6 +68,26 @@ class SmallWindowTest : public QObject {
     }
   }
 
+  void thePrimaryButtonOfTheMasksIsInSight_data() { languages(); }
+  void thePrimaryButtonOfTheMasksIsInSight() {
+    open();
+    window_->showStationNamed(QStringLiteral("queue"), {});
+    named<QAction>(*window_, "queueMasks")->setEnabled(true);
+    named<QAction>(*window_, "queueMasks")->trigger();
+    const QWidget* primary = named<QWidget>(*window_, "masksComputeButton");
+    QTRY_VERIFY(primary->isVisible());
+    QTRY_VERIFY2(isInSight(primary), "what the strokes are painted for");
+  }
+
+  void theFieldsOfTheDetailsHaveRoomForWhatIsTyped_data() { languages(); }
+  void theFieldsOfTheDetailsHaveRoomForWhatIsTyped() {
+    open();
+    window_->showStationNamed(QStringLiteral("catalogue"), {});
+    QWidget* details = named<QWidget>(*window_, "details");
+    for (const char* field : {"field_number", "field_place", "field_ware"})
+      QTRY_VERIFY2(details->findChild<QWidget*>(QString::fromLatin1(field))->width() >= 100, field);
+  }
+
   void thePrimaryButtonStaysInSightWhileABatchIsCaptured_data() { languages(); }
   void thePrimaryButtonStaysInSightWhileABatchIsCaptured() {
     open();

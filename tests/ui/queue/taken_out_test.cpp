@@ -64,7 +64,7 @@ class TakenOutTest : public QObject {
     bench.session.tellBatchChanged(number);
     bench.queue.cancel(number);
     QCOMPARE(bench.queue.row(0).state, QueueState::Failed);
-    QCOMPARE(bench.queue.row(0).failure, QStringLiteral("You took it out of the queue."));
+    QCOMPARE(bench.queue.row(0).failure, QStringLiteral("You removed it from the queue."));
     QCOMPARE(bench.queue.failed(), 0);
   }
 

@@ -29,35 +29,35 @@ void CardSentencesTest::theSentenceIsAboutWhatIsShown() {
   QVERIFY2(sure.contains("confident"), qPrintable(sure));
   model_->chooseBack(0);
   QTRY_COMPARE(model_->trial().back, 0);
-  QTRY_VERIFY2(model_->reason().startsWith("Back 1 is tried: under 1 %, ") &&
-                   model_->reason().contains("rims") &&
+  QTRY_VERIFY2(model_->reason().startsWith("Trying back 1: under 1 %, ") &&
+                   model_->reason().contains("fractures") &&
                    model_->reason().endsWith("The program says back 3, 99 %."),
                qPrintable(model_->reason()));
   model_->chooseBack(2);
   QCOMPARE(model_->reason(), sure);
   model_->moveByHand({0, 0, 0.5}, {20, 0, 0});
-  QTRY_COMPARE(model_->reason(), QStringLiteral("Turned by hand: 0 % of the rims meet."));
+  QTRY_COMPARE(model_->reason(), QStringLiteral("Turned by hand: 0 % of the fractures touch."));
   undo_->undo();
   QCOMPARE(model_->reason(), sure);
   model_->stepSample(3);
-  QTRY_VERIFY2(model_->reason().startsWith("Another start point is tried"),
+  QTRY_VERIFY2(model_->reason().startsWith("Trying another start point"),
                qPrintable(model_->reason()));
 }
 
 void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
   model_->select(2);
   model_->moveByHand({0, 0, 0.5}, {20, 0, 0});
-  QTRY_COMPARE(model_->reason(), QStringLiteral("Turned by hand: 0 % of the rims meet."));
+  QTRY_COMPARE(model_->reason(), QStringLiteral("Turned by hand: 0 % of the fractures touch."));
   QSignalSpy said(model_.get(), &PairReviewModel::failed);
   model_->accept();
   QCOMPARE(cardOf(2).state, CardState::Decided);
   QCOMPARE(said.count(), 1);
-  QVERIFY2(said[0][0].toString().contains("hardly meet: 0 %"), qPrintable(said[0][0].toString()));
+  QVERIFY2(said[0][0].toString().contains("barely touch: 0 %"), qPrintable(said[0][0].toString()));
   const QString card = model_->index(model_->rowOf(2)).data(CardRole::Words).toString();
   QVERIFY2(card.startsWith("Decided by AP on") && card.contains("turned by hand"),
            qPrintable(card));
   model_->select(2);
-  QTRY_VERIFY2(model_->reason().contains("hardly meet"), qPrintable(model_->reason()));
+  QTRY_VERIFY2(model_->reason().contains("barely touch"), qPrintable(model_->reason()));
   model_->accept();  // once more: the pose stands as it was given
   QCOMPARE(onDisk().back().settle, pipeline::Settle::AsGiven);
   model_->select(3);

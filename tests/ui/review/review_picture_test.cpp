@@ -91,7 +91,7 @@ void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {
   QTRY_VERIFY(!scenes.isEmpty());
   QVERIFY(bar->isVisible());
   const QString words = station_->findChild<QLabel*>("scaleWords")->text();
-  QVERIFY2(words.startsWith("No length on B0001 is known"), qPrintable(words));
+  QVERIFY2(words.startsWith("B0001 has no scale"), qPrintable(words));
   auto& view = *station_->findChild<SherdView*>("sherd");
   key(Qt::Key_D);
   emit view.pointPicked({0, 0, 0});

@@ -287,11 +287,11 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   model()->joinWith(batch::Side::Front, model()->rowOf(3));
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   const QString said = station_->findChild<QLabel*>("message")->text();
-  QVERIFY2(said.contains("keeps the number ARM1-0012-2, and ARM1-0012-3 stays without"),
+  QVERIFY2(said.contains("keeps the number ARM1-0012-2, and ARM1-0012-3 has no fragment"),
            qPrintable(said));
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
-  QVERIFY(station_->findChild<QLabel*>("message")->text().startsWith("Taken back"));
+  QVERIFY(station_->findChild<QLabel*>("message")->text().startsWith("Undone"));
   model()->select(2);
   QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
   key(Qt::Key_K);

@@ -1,0 +1,113 @@
+// Another rig is tried beside one that works; and what the status bar hears meanwhile.
+#include <QAction>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "catalogue/project.h"
+#include "fake_rig.h"
+#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/capture/rig_page.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class CaptureRigTest : public QObject {
+  Q_OBJECT
+
+ private:
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return found;
+  }
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    const std::filesystem::path folder = folder_->filePath("p").toStdString();
+    auto project = catalogue::Project::create(folder, record);
+    QVERIFY(project.has_value());
+    session_ = std::make_unique<ProjectSession>(
+        std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
+    rig_ = std::make_unique<FakeRig>();
+    wizard_ = std::make_unique<CaptureWizard>();
+    station_ = std::make_unique<CaptureStation>(wizard_.get());
+    station_->resize(1200, 640);
+    station_->openProject(*session_);
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    station_->setInFront(true);
+  }
+  void cleanup() {
+    station_->closeProject();
+    station_.reset();
+    wizard_.reset();
+    session_.reset();
+  }
+
+  void aBadRigFileLeavesTheWorkingRigItsPlaceAndSaysWhy() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    const QString file = folder_->filePath("RIG.json");
+    QFile bad(file);
+    QVERIFY(bad.open(QIODevice::WriteOnly) && bad.write("{\"cameras\": 3}") > 0);
+    bad.close();
+    RigChoice choice;
+    choice.kind = RigChoice::Kind::File;
+    choice.file = file.toStdString();
+    const std::string before = *session_->project().catalogue().setting("rig");
+    child<QAction>("changeRig")->trigger();
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::NoRig);
+    emit station_->findChild<RigPage*>()->chosen(choice);
+    auto* failure = child<MessagePanel>("captureFailure");
+    QTRY_VERIFY(failure->isVisible());
+    QVERIFY2(failure->headline().contains("RIG.json"), qPrintable(failure->headline()));
+    QVERIFY2(failure->words().contains("stays in use"), qPrintable(failure->words()));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QCOMPARE(child<QLabel>("captureHeadline")->text(),
+             QStringLiteral("Lay the sherds on the plate"));
+    QCOMPARE(station_->rigWords(), QStringLiteral("ready"));
+    QCOMPARE(*session_->project().catalogue().setting("rig"), before);
+    QTest::mouseClick(failure->act(), Qt::LeftButton);
+    QVERIFY(!failure->isVisible());
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+  }
+
+  // Whatever screen the person is on.
+  void theStatusBarSaysThatThePlateIsPhotographed() {
+    const QSignalSpy working(station_.get(), &Station::working);
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QCOMPARE(working.count(), 0);
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QVERIFY(working.count() > 1);
+    QVERIFY2(working.front().front().toString().startsWith("Photographing the fronts"),
+             qPrintable(working.front().front().toString()));
+    QCOMPARE(working.back().front().toString(), QString());
+  }
+
+ private:
+  std::unique_ptr<QTemporaryDir> folder_;
+  InlineJobRunner jobs_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<FakeRig> rig_;
+  std::unique_ptr<CaptureWizard> wizard_;
+  std::unique_ptr<CaptureStation> station_;
+};
+
+QTEST_MAIN(CaptureRigTest)
+#include "capture_rig_test.moc"

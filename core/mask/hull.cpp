@@ -113,6 +113,18 @@ Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned c
   return {mask, depth, height};
 }
 
+void keepTouching(const cv::Mat1b& floor, cv::Mat1b& group) {
+  cv::Mat labels;
+  const int count = cv::connectedComponents(group != 0, labels, 8, CV_32S);
+  std::vector<char> touches(static_cast<std::size_t>(count), 0);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (floor(y, x) != 0) touches[labels.at<int>(y, x)] = 1;
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (touches[labels.at<int>(y, x)] == 0) group(y, x) = 0;
+}
+
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area) {
   const Eigen::Vector3i n = space.count;
   cv::Mat1b footprint(n.y(), n.x(), uchar{0});

@@ -43,6 +43,10 @@ struct Silhouette {
 Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
                             const HullView& view, const HullOptions& options);
 
+/// Takes away connected parts of a silhouette that nowhere show before the floor: a sherd's foot
+/// does, however far its top leans over what lies beyond. floor: as large, 255 where it shows.
+void keepTouching(const cv::Mat1b& floor, cv::Mat1b& group);
+
 inline constexpr int kMostGroups = 255;  ///< more share numbers
 
 /// Takes away groups (connected seen from above) that do not stand on the floor, where rays cross

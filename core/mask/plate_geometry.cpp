@@ -104,6 +104,16 @@ cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid,
   return pixelsOfCells(image, {first, first}, grid.pitch_mm, {grid.size, grid.size}, bend);
 }
 
+cv::Mat1b insideMarkers(const cv::Mat2f& grid_of_pixel, const PlateGrid& grid) {
+  cv::Mat1b inside(grid_of_pixel.size(), uchar{0});
+  const double limit = (grid.ring_inner_mm - 2) / grid.pitch_mm;
+  const cv::Vec2f middle(static_cast<float>(grid.middle()), static_cast<float>(grid.middle()));
+  for (int y = 0; y < inside.rows; ++y)
+    for (int x = 0; x < inside.cols; ++x)
+      if (cv::norm(grid_of_pixel(y, x) - middle) < limit) inside(y, x) = 255;
+  return inside;
+}
+
 cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid) {
   cv::Mat1b paper(grid.size, grid.size, uchar{0});
   for (const batch::Marker& marker : plate.markers) {

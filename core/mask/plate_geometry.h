@@ -39,6 +39,10 @@ cv::Mat2f pixelsOfCells(const rig::PosedImage& image, const Eigen::Vector2d& fir
 cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid,
                        const rig::SheetBend& bend = {});
 
+/// 255 where a photograph sees the plate inside the markers, where sherds lie. grid_of_pixel:
+/// gridOfPixels.
+cv::Mat1b insideMarkers(const cv::Mat2f& grid_of_pixel, const PlateGrid& grid);
+
 /// 255 on the markers' paper (marker and a quiet zone of one module), 0 elsewhere.
 cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid);
 

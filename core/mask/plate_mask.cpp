@@ -1,7 +1,6 @@
 #include "mask/plate_mask.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
@@ -13,12 +12,14 @@
 #include "mask/colour_model.h"
 #include "mask/evidence.h"
 #include "mask/hull.h"
+#include "mask/hull_odds.h"
 #include "mask/outline.h"
 #include "mask/plate_agreement.h"
 #include "mask/plate_picture.h"
 #include "mask/raised.h"
 #include "mask/ring_agreement.h"
 #include "mask/sheet_picture.h"
+#include "mask/strange_shadow.h"
 
 namespace ostraka::mask {
 namespace {
@@ -36,16 +37,10 @@ struct ViewState {
   cv::Mat1b plate;    ///< reduced: the plate inside the markers
 };
 
-constexpr float kDarkened = 0.25F;  // log brightness: a fifth of the light is missing
-constexpr float kSlackVoxels = 0.75F, kPerVoxel = 4;  // below and above which a hull says something
-constexpr double kMostHullOdds = 4, kPrior = 10;      // see learnHull
-constexpr float kSure = 3;
-constexpr int kHullSteps = 12;   // half voxels
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
 constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
 constexpr double kCarvingShare =
     0.15;                          // of the photographs; of the others some see a shadow as sherd
-constexpr double kAround = 6;      // mm beside a sherd: its own shadow is darkest there
 constexpr double kStrange = 0.03;  // share of the bare plate: more than what poses and grain do
 
 Result<void> checkInput(std::span<const rig::PosedImage> images,
@@ -67,16 +62,6 @@ Result<void> checkInput(std::span<const rig::PosedImage> images,
                    "The photograph is not of the size that its camera has; use the original file.",
                    images[i].file};
   return {};
-}
-
-cv::Mat1b insideMarkers(const PlateLook& look, const PlateGrid& grid) {
-  cv::Mat1b inside(look.grid_of_pixel.size(), uchar{0});
-  const double limit = (grid.ring_inner_mm - 2) / grid.pitch_mm;
-  const cv::Vec2f middle(static_cast<float>(grid.middle()), static_cast<float>(grid.middle()));
-  for (int y = 0; y < inside.rows; ++y)
-    for (int x = 0; x < inside.cols; ++x)
-      if (cv::norm(look.grid_of_pixel(y, x) - middle) < limit) inside(y, x) = 255;
-  return inside;
 }
 
 class PlateMasker {
@@ -117,7 +102,7 @@ class PlateMasker {
     };
     overViews(&PlateMasker::showHull);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
-    if (!lasting) learnHull(), overViews(&PlateMasker::trustHull);
+    if (!lasting) trustHull(overViews);
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
     overViews(&PlateMasker::askOthers);
     if (!stop.stop_requested()) learnColours();
@@ -125,8 +110,7 @@ class PlateMasker {
     if (lasting && !stop.stop_requested()) {
       carveByMasks(stop);
       overViews(&PlateMasker::showHull);
-      learnHull();
-      overViews(&PlateMasker::trustHull);
+      trustHull(overViews);
       overViews(&PlateMasker::cutView);
     }
     if (stop.stop_requested()) return Error::cancelled();
@@ -157,7 +141,7 @@ class PlateMasker {
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
       const cv::Mat3f bare = smoothed(predictBare(picture, looks[k], k, grid));
       const cv::Mat3f residual = smoothed(looks[k].log_colours) - bare;
-      const cv::Mat1b inside = insideMarkers(looks[k], grid);
+      const cv::Mat1b inside = insideMarkers(looks[k].grid_of_pixel, grid);
       const ResidualNoise noise = measureNoise(residual, bare, inside);
       // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.
       const Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
@@ -362,7 +346,7 @@ class PlateMasker {
     view.group = shown.group;
     view.depth = shown.depth;
     view.hull.inside.release();
-    if (plate_.sheet) keepOnSheet(view);
+    if (plate_.sheet) keepTouching(view.plate, view.group);
     cv::Mat1b silhouette;
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
@@ -370,69 +354,17 @@ class PlateMasker {
     view.voxels = cv::min(shown.depth, shown.height) / space_.pitch;
   }
 
-  // A sherd's foot shows before the sheet, however far its top leans over the table.
-  static void keepOnSheet(ViewState& view) {
-    cv::Mat labels;
-    const int count = cv::connectedComponents(view.group != 0, labels, 8, CV_32S);
-    std::vector<char> on_sheet(static_cast<std::size_t>(count), 0);
-    for (int y = 0; y < labels.rows; ++y)
-      for (int x = 0; x < labels.cols; ++x)
-        if (view.plate(y, x) != 0) on_sheet[labels.at<int>(y, x)] = 1;
-    for (int y = 0; y < labels.rows; ++y)
-      for (int x = 0; x < labels.cols; ++x)
-        if (on_sheet[labels.at<int>(y, x)] == 0) view.group(y, x) = 0;
-  }
-
-  // How much a pixel's hull says for a sherd, by the voxels behind it and below its front. A hull
-  // is a voxel or two too wide, more so with few photographs and above shadows that last: learnt
-  // from the pixels that are sure by themselves, of all views.
-  void learnHull() {
-    std::array<double, kHullSteps> sherd{}, plate{};
-    for (const ViewState& view : views_)
-      for (int y = 0; y < view.voxels.rows; ++y)
-        for (int x = 0; x < view.voxels.cols; ++x) {
-          if (view.group(y, x) == 0) continue;
-          const float odds = view.log_odds(y * hull_.reduction + hull_.reduction / 2,
-                                           x * hull_.reduction + hull_.reduction / 2);
-          if (odds > kSure) sherd[hullStep(view.voxels(y, x))] += 1;
-          if (view.hull.clear(y, x) > 0.5F) plate[hullStep(view.voxels(y, x))] += 1;
-        }
-    for (int k = 0; k < kHullSteps; ++k)
-      hull_odds_[k] = static_cast<float>(
-          std::clamp(std::log((sherd[k] + kPrior) / (plate[k] + kPrior)), 0.0, kMostHullOdds));
-  }
-
-  static std::size_t hullStep(float voxels) {
-    return static_cast<std::size_t>(std::clamp(2 * voxels, 0.F, kHullSteps - 1.F));
-  }
-
   // Black clay looks like nothing else but a shadow; what lies deep in the hull is none.
-  void trustHull(std::size_t index) {
-    ViewState& view = views_[index];
-    cv::Mat1f full;
-    cv::resize(view.voxels, full, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
-    for (int y = 0; y < full.rows; ++y)
-      for (int x = 0; x < full.cols; ++x)
-        view.log_odds(y, x) += std::min(hull_odds_[hullStep(full(y, x))],
-                                        std::max(0.F, kPerVoxel * (full(y, x) - kSlackVoxels)));
+  template <class OverViews>
+  void trustHull(const OverViews& overViews) {
+    std::vector<HullSight> sights;
+    for (const ViewState& view : views_)
+      sights.push_back({view.voxels, view.group, view.hull.clear, view.log_odds});
+    hull_odds_ = learnHullOdds(sights, hull_.reduction);
+    overViews(&PlateMasker::addHullOdds);
   }
-
-  // The share of the plate away from sherds that is darker than the camera's other stops explain.
-  double darkenedShare(std::size_t index) const {
-    const ViewState& view = views_[index];
-    const int reach = cvCeil(kAround / (hull_.reduction * millimetresPerPixel(images_[index])));
-    cv::Mat1b near;
-    cv::dilate(view.group, near,
-               cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * reach + 1, 2 * reach + 1}));
-    int bare = 0, darkened = 0;
-    for (int y = 0; y < near.rows; ++y)
-      for (int x = 0; x < near.cols; ++x) {
-        if (near(y, x) != 0 || view.plate(y, x) == 0) continue;
-        const cv::Vec3f& v = view.residual(y * hull_.reduction, x * hull_.reduction);
-        ++bare;
-        if (v[0] + v[1] + v[2] < -3 * kDarkened) ++darkened;
-      }
-    return bare > 0 ? static_cast<double>(darkened) / bare : 0;
+  void addHullOdds(std::size_t index) {
+    hull_odds_.addTo(views_[index].log_odds, views_[index].voxels);
   }
 
   // Lamps and sherds cast the same shadows at each stop, or nearly; a hand or a person does not.
@@ -441,7 +373,11 @@ class PlateMasker {
     for (const auto& [camera, members] : by_camera) {
       if (members.size() < 3) continue;
       std::vector<double> shares;
-      for (const std::size_t i : members) shares.push_back(darkenedShare(i));
+      for (const std::size_t i : members) {
+        const ViewState& view = views_[i];
+        shares.push_back(darkenedShare(view.residual, view.group, view.plate, hull_.reduction,
+                                       millimetresPerPixel(images_[i])));
+      }
       const double usual = medianOf(std::vector<double>(shares));
       for (std::size_t k = 0; k < members.size(); ++k)
         if (shares[k] > usual + kStrange)
@@ -527,9 +463,9 @@ class PlateMasker {
   HullOptions hull_;
   HullSpace space_;
   std::vector<unsigned char> voxels_;
-  std::array<float, kHullSteps> hull_odds_{};  ///< see learnHull
-  bool still_light_ = true;                    ///< on a sheet; at a stop of a rig it is
-  bool masks_known_ = false;                   ///< the hull is that of the masks so far
+  HullOdds hull_odds_;
+  bool still_light_ = true;   ///< on a sheet; at a stop of a rig it is
+  bool masks_known_ = false;  ///< the hull is that of the masks so far
   MaskResult result_;
 };
 

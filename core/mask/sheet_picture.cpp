@@ -14,10 +14,10 @@
 namespace ostraka::mask {
 namespace {
 
-constexpr int kFiner = 3;      // drawn so much finer than the grid, then averaged
-constexpr int kFitStride = 3;  // the light bends slowly
-constexpr int kRounds = 2;     // tones and correction in turns; the second changes < 1 %
-constexpr float kPaper = 0.98F, kInk = 0.02F;
+constexpr int kDrawnFiner = 3;   // drawn so much finer than the grid, then averaged
+constexpr int kSheetStride = 3;  // the light bends slowly
+constexpr int kSheetRounds = 2;  // tones and correction in turns; the second changes < 1 %
+constexpr float kWhitePaper = 0.98F, kBlackInk = 0.02F;
 // A stain or a crease is within these of the printed picture; clay and shadow mostly are not.
 constexpr Tolerance kStain{0.12F, 0.04F};
 
@@ -27,8 +27,8 @@ constexpr double kMostAgree = 0.5;  // where noise and the grain of dark clay ar
 constexpr float kDark = -0.9F;
 constexpr float kDeepest = -2.2F;    // log brightness: a tenth of the light is left in every shadow
 constexpr float kShadowTint = 0.5F;  // light of the sky or off a sherd, per 1 of darkening
-constexpr int kWindow = 5;           // of half the cells: 3 mm
-constexpr short kUnseen = 32767;
+constexpr int kShadeWindow = 5;      // of half the cells: 3 mm
+constexpr short kNoRest = 32767;
 
 using Basis = Eigen::Matrix<double, 6, 1>;
 
@@ -52,7 +52,7 @@ struct Logs {
   cv::Vec3f operator()(const cv::Vec3b& v) const { return {of[v[0]], of[v[1]], of[v[2]]}; }
 };
 
-bool seen(const cv::Vec3b& sample) {
+bool isSeen(const cv::Vec3b& sample) {
   return sample != cv::Vec3b(0, 0, 0);
 }
 
@@ -69,7 +69,7 @@ cv::Mat1b allOf(const cv::Mat1b& kind) {
   return whole;
 }
 
-float brightness(const cv::Vec3f& v) {
+float brightnessOfRest(const cv::Vec3f& v) {
   return (v[0] + v[1] + v[2]) / 3;
 }
 
@@ -86,14 +86,14 @@ SheetPicture::Tone fitPaper(const std::vector<PaperSample>& samples) {
   SheetPicture::Tone tone;
   Eigen::Matrix<double, 6, 3> fit = Eigen::Matrix<double, 6, 3>::Zero();
   std::vector<float> level;
-  for (const PaperSample& s : samples) level.push_back(brightness(s.colour));
+  for (const PaperSample& s : samples) level.push_back(brightnessOfRest(s.colour));
   const auto upper = level.begin() + static_cast<std::ptrdiff_t>(level.size() * 3 / 4);
   std::nth_element(level.begin(), upper, level.end());
   // The start: the colour of what is brighter than three quarters, all over the sheet.
   cv::Vec3d sum(0, 0, 0);
   int count = 0;
   for (const PaperSample& s : samples)
-    if (brightness(s.colour) >= *upper) sum += cv::Vec3d(s.colour), ++count;
+    if (brightnessOfRest(s.colour) >= *upper) sum += cv::Vec3d(s.colour), ++count;
   for (int c = 0; c < 3; ++c) fit(0, c) = sum[c] / std::max(1, count);
   for (const double scale : {0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.06, 0.06}) {
     Eigen::Matrix<double, 6, 6> normal = 1e-3 * Eigen::Matrix<double, 6, 6>::Identity();
@@ -121,13 +121,13 @@ class SheetPainter {
   SheetPainter(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed)
       : samples_(samples),
         printed_(printed),
-        paper_(allOf(printed > kPaper)),
-        ink_(allOf((printed >= 0) & (printed < kInk))) {}
+        paper_(allOf(printed > kWhitePaper)),
+        ink_(allOf((printed >= 0) & (printed < kBlackInk))) {}
 
   SheetPicture run() {
     picture_.tones.resize(samples_.size());
     picture_.correction = cv::Mat3f(printed_.size(), cv::Vec3f::all(0));
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kSheetRounds; ++round) {
       for (std::size_t i = 0; i < samples_.size(); ++i) fitTone(i);
       correct();
     }
@@ -139,7 +139,7 @@ class SheetPainter {
  private:
   void fitTone(std::size_t i) {
     std::vector<PaperSample> samples;
-    overCells(i, paper_, kFitStride, [&](int row, int column, const cv::Vec3f& colour) {
+    overCells(i, paper_, kSheetStride, [&](int row, int column, const cv::Vec3f& colour) {
       samples.push_back({basisAt(unit(static_cast<float>(column), printed_.cols),
                                  unit(static_cast<float>(row), printed_.rows)),
                          colour - picture_.correction(row, column)});
@@ -166,7 +166,7 @@ class SheetPainter {
     for (int row = 0; row < which.rows; row += stride)
       for (int column = 0; column < which.cols; column += stride) {
         const cv::Vec3b& sample = samples_[i](row, column);
-        if (which(row, column) != 0 && seen(sample)) body(row, column, logs_(sample));
+        if (which(row, column) != 0 && isSeen(sample)) body(row, column, logs_(sample));
       }
   }
 
@@ -179,7 +179,7 @@ class SheetPainter {
         float total = 1;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
           const cv::Vec3b& sample = samples_[i](row, column);
-          if (!seen(sample)) continue;
+          if (!isSeen(sample)) continue;
           const SheetPicture::Tone& tone = picture_.tones[i];
           const cv::Vec3f rest =
               logs_(sample) - paperAt(tone, row, column) - mixture(printed_(row, column), tone.ink);
@@ -196,14 +196,15 @@ class SheetPainter {
   bool lightStandsStill() const {
     if (samples_.size() < 3) return true;
     double within = 0, between = 0;
-    for (int row = 0; row < printed_.rows; row += 2 * kFitStride)
-      for (int column = 0; column < printed_.cols; column += 2 * kFitStride) {
+    for (int row = 0; row < printed_.rows; row += 2 * kSheetStride)
+      for (int column = 0; column < printed_.cols; column += 2 * kSheetStride) {
         if (paper_(row, column) == 0) continue;
         double n = 0, s = 0, ss = 0;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
           const cv::Vec3b& sample = samples_[i](row, column);
-          if (!seen(sample)) continue;
-          const double g = brightness(logs_(sample) - paperAt(picture_.tones[i], row, column));
+          if (!isSeen(sample)) continue;
+          const double g =
+              brightnessOfRest(logs_(sample) - paperAt(picture_.tones[i], row, column));
           if (std::abs(g) > 0.5) continue;
           n += 1, s += g, ss += g * g;
         }
@@ -225,10 +226,10 @@ class SheetPainter {
   float grain() const {
     std::vector<float> off;
     for (std::size_t i = 0; i < samples_.size(); ++i)
-      for (int row = 0; row < printed_.rows; row += 4 * kFitStride)
-        for (int column = 0; column < printed_.cols; column += 4 * kFitStride)
-          if (paper_(row, column) != 0 && seen(samples_[i](row, column)))
-            off.push_back(std::abs(brightness(restAt(i, row, column))));
+      for (int row = 0; row < printed_.rows; row += 4 * kSheetStride)
+        for (int column = 0; column < printed_.cols; column += 4 * kSheetStride)
+          if (paper_(row, column) != 0 && isSeen(samples_[i](row, column)))
+            off.push_back(std::abs(brightnessOfRest(restAt(i, row, column))));
     return off.empty() ? 0.02F : std::max(0.005F, 1.4826F * medianOf(off));
   }
 
@@ -241,10 +242,10 @@ class SheetPainter {
     // Every second cell of every second row: shadows are smooth. Thousandths.
     std::vector<cv::Mat_<cv::Vec3s>> rests;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      rests.emplace_back(rows, columns, cv::Vec3s(kUnseen, kUnseen, kUnseen));
+      rests.emplace_back(rows, columns, cv::Vec3s(kNoRest, kNoRest, kNoRest));
       for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
-          if (printed_(2 * row, 2 * column) >= 0 && seen(samples_[i](2 * row, 2 * column)))
+          if (printed_(2 * row, 2 * column) >= 0 && isSeen(samples_[i](2 * row, 2 * column)))
             rests[i](row, column) = restAt(i, 2 * row, 2 * column) * 1000;
     }
     const std::vector<cv::Mat1b> counts = agreeingPhotographs(rests, grain_sd);
@@ -269,7 +270,7 @@ class SheetPainter {
       for (int column = 0; column < printed_.cols; ++column) {
         picture_.correction(row, column) += shades(row / 2, column / 2);
         picture_.witnessed(row, column) = agreed(row / 2, column / 2) > 0 ? 255 : 0;
-        if (brightness(shades(row / 2, column / 2)) < -kStain.brightness)
+        if (brightnessOfRest(shades(row / 2, column / 2)) < -kStain.brightness)
           picture_.shade(row, column) = picture_.witnessed(row, column);
       }
   }
@@ -286,13 +287,13 @@ class SheetPainter {
         for (int row = 0; row < size.height; ++row)
           for (int column = 0; column < size.width; ++column) {
             const cv::Vec3s &a = rests[i](row, column), &b = rests[j](row, column);
-            const bool both = a[0] != kUnseen && b[0] != kUnseen;
+            const bool both = a[0] != kNoRest && b[0] != kNoRest;
             off(row, column) = both ? 0.001F * static_cast<float>(std::max({std::abs(a[0] - b[0]),
                                                                             std::abs(a[1] - b[1]),
                                                                             std::abs(a[2] - b[2])}))
                                     : 10.F;
           }
-        cv::boxFilter(off, mean, CV_32F, {kWindow, kWindow});
+        cv::boxFilter(off, mean, CV_32F, {kShadeWindow, kShadeWindow});
         for (int row = 0; row < size.height; ++row)
           for (int column = 0; column < size.width; ++column) {
             if (mean(row, column) > 1) continue;
@@ -316,11 +317,11 @@ class SheetPainter {
     int seen = 0;
     for (std::size_t i = 0; i < rests.size(); ++i) {
       if (counts[i](row, column) > counts[best](row, column)) best = i;
-      seen += rests[i](row, column)[0] != kUnseen ? 1 : 0;
+      seen += rests[i](row, column)[0] != kNoRest ? 1 : 0;
     }
     const int agreeing = counts[best](row, column) + 1;
     const cv::Vec3f shade = cv::Vec3f(rests[best](row, column)) * 0.001F;
-    const float g = brightness(shade);
+    const float g = brightnessOfRest(shade);
     const cv::Vec3f tint = shade - cv::Vec3f::all(g);
     const double needed = g < kDark ? kMostAgree : kSomeAgree;
     if (agreeing < kFewestWitnesses || agreeing < needed * seen || g > kStain.brightness ||
@@ -346,13 +347,13 @@ cv::Vec3f SheetPicture::Tone::paperAt(float u, float v) const {
 Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid) {
   const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(plate.dictionary);
   if (!dictionary) return dictionary.error();
-  const int size = grid.size * kFiner;
+  const int size = grid.size * kDrawnFiner;
   cv::Mat1b fine(size, size, uchar{255});
   constexpr int kShift = 4;  // sixteenths of a fine cell
   const auto place = [&](const Eigen::Vector2d& p_mm) {
     const Eigen::Vector2d cell =
         p_mm / grid.pitch_mm + Eigen::Vector2d::Constant(grid.middle());  // of the grid
-    const Eigen::Vector2d fine_cell = (cell.array() + 0.5) * kFiner - 0.5;
+    const Eigen::Vector2d fine_cell = (cell.array() + 0.5) * kDrawnFiner - 0.5;
     return cv::Point(cvRound(fine_cell.x() * (1 << kShift)),
                      cvRound(fine_cell.y() * (1 << kShift)));
   };

@@ -76,6 +76,14 @@ struct Pairs {
   std::vector<std::string> set_aside, reshoot;  ///< by a person; fronts, then backs
 };
 
+/// 0 is the front, 1 the back.
+constexpr std::size_t sideIndex(batch::Side side) {
+  return side == batch::Side::Front ? 0 : 1;
+}
+
+/// The photograph of an image; nullptr: it is not of this batch.
+const batch::Shot* findShot(const batch::Batch& batch, const rig::PosedImage& image);
+
 /// The chain, one call per step. Each runs its stage or finds it whole.
 Result<Staged<Poses>> poseStage(const Run& run);
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);

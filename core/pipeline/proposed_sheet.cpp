@@ -23,7 +23,7 @@ Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& opti
   how.threads = options.threads;
   Result<rig::SheetLayout> sheet = rig::proposeSheet(fronts, how, progress, std::move(stop));
   if (!sheet) return Error{sheet.error().code, sheet.error().what, batch.folder.string()};
-  batch.plate = std::move(sheet->plate);
+  batch.plate = batch::asSheet(std::move(sheet->plate));
   progress.note(
       NoteLevel::Warning,
       "No plate.json describes the sheet: " + std::to_string(batch.plate->markers.size()) +

@@ -74,11 +74,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
   connect(file_watch_, &FileWatch::found, footer_, &FooterLine::say);
-  connect(file_watch_, &FileWatch::catalogueDamaged, this, [this](const Error& damage) {
-    if (wizard_->isShooting()) return footer_->say(sentenceOf(damage));
-    closeProject();  // nothing more is entered
-    start_->showError(damage);
-  });
+  connect(file_watch_, &FileWatch::catalogueDamaged, this, &MainWindow::stopEntering);
   auto* back_up = new QTimer(this);
   connect(back_up, &QTimer::timeout, this, &MainWindow::backUp);
   back_up->start(kBackUpEvery_ms);
@@ -151,9 +147,9 @@ void MainWindow::buildLayout() {
   connect(repair, &CatalogueRepair::told, start_, &StartScreen::showRepair);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
-  connect(all_, &QStackedWidget::currentChanged, this, [this, work] {
-    if (all_->currentWidget() == work) return;
-    for (Station* station : stations_) station->setInFront(false);  // a live picture rests
+  connect(all_, &QStackedWidget::currentChanged, this, [this, work] {  // a live picture rests
+    for (Station* station : stations_)
+      if (all_->currentWidget() != work) station->setInFront(false);
   });
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
@@ -292,8 +288,9 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   if (read_only)
     footer_->say(tr("This project is read-only: you can look at everything, but change nothing."));
+  else
+    backUp();
   measureRoom();
-  if (!read_only) backUp();
   file_watch_->look(folder);
 }
 
@@ -481,13 +478,17 @@ void MainWindow::backUp() {
   });
 }
 
+void MainWindow::stopEntering(const Error& damage) {
+  if (wizard_->isShooting()) return footer_->say(sentenceOf(damage));
+  closeProject(), start_->showError(damage);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (saysWhatIsLost()) return event->ignore();
   settings_.geometry = saveGeometry();
+  const int selected = rail_->selected();
   if (session_ != nullptr)
-    settings_.station = rail_->selected() < 0
-                            ? QString()
-                            : stations_[static_cast<std::size_t>(rail_->selected())]->iconName();
+    settings_.station = selected < 0 ? QString() : stations_.at(selected)->iconName();
   writeSettings(settings_);
   closeProject();
   if (!queue_->isLeaving()) return event->accept();

@@ -1,0 +1,266 @@
+// Where each photograph was taken from: the first stage of the chain.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "pipeline/chain.h"
+#include "pipeline/no_plate.h"
+#include "pipeline/photo_checks.h"
+#include "pipeline/run_log.h"
+#include "pipeline/scale_check.h"
+#include "rig/calibrate.h"
+#include "rig/colmap_program.h"
+#include "rig/free_cameras.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+// The images of cameras.json with their photographs where they lie now: the batch may have been
+// moved, or be called by another name, since its cameras were found.
+Result<std::vector<rig::PosedImage>> readCamerasOf(const batch::Batch& batch,
+                                                   const fs::path& file) {
+  Result<std::vector<rig::PosedImage>> images = rig::readCameras(file);
+  if (!images) return images;
+  for (rig::PosedImage& image : *images) {
+    const batch::Shot* shot = findShot(batch, image);
+    if (shot == nullptr)
+      return Error{ErrorCode::UnusableInput,
+                   "It names " + image.file +
+                       ", which is not in the batch; delete this file, and the cameras are found "
+                       "again.",
+                   file.string()};
+    image.file = shot->file.string();
+  }
+  return images;
+}
+
+// Each side by itself: in its true size where a length is known, else in the nominal one; then
+// their sizes are compared when both have scans.
+Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
+  std::vector<rig::PosedImage> images;
+  StageNotes notes;
+  double reprojection_px = 0;
+  bool has_scale = true;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    std::vector<batch::Shot> shots;
+    for (const batch::Shot& shot : run.batch.shots)
+      if (shot.side == side) shots.push_back(shot);
+    const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
+    rig::ColmapPoseOptions options;
+    options.threads = run.options.threads;
+    WarningsKept kept(run.progress);
+    const Result<rig::ColmapPoses> found =
+        rig::poseWithColmap(shots, workspace, options, kept, run.stop);
+    if (!found) return found.error();
+    notes.warnings.insert(notes.warnings.end(), kept.warnings.begin(), kept.warnings.end());
+    const Result<std::optional<rig::KnownScale>> known =
+        knownScale(run.batch, side, *found, run.options.threads, run.stop);
+    if (!known) return known.error();
+    has_scale = has_scale && known->has_value();
+    if (*known)
+      notes.figures[std::string("scale_spread_") + batch::name(side)] = (*known)->relative_spread;
+    const rig::ColmapPoses poses =
+        rig::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found));
+    images.insert(images.end(), poses.images.begin(), poses.images.end());
+    reprojection_px = std::max(reprojection_px, poses.reprojection_px);
+    if (poses.images.size() < shots.size())
+      notes.warnings.push_back(std::to_string(shots.size() - poses.images.size()) + " of the " +
+                               batch::name(side) +
+                               " side's photographs got no pose from COLMAP and are left out.");
+    std::error_code ignored;
+    fs::remove_all(workspace, ignored);
+  }
+  if (run.options.rig)
+    notes.warnings.push_back(
+        "The rig was not used: without plate.json the poses come from COLMAP.");
+  if (!has_scale) notes.warnings.push_back(noScaleWarning());
+  notes.figures["images"] = images.size();
+  notes.figures["reprojection_rms_px"] = reprojection_px;
+  notes.figures["has_scale"] = has_scale;
+  if (const Result<void> written = rig::writeCameras(folder / "cameras.json", images); !written)
+    return written.error();
+  return notes;
+}
+
+// Residuals per camera; with a known rig how well it fitted and what has moved since.
+ordered_json residualsOf(const rig::BatchPoses& poses) {
+  ordered_json list = ordered_json::array();
+  for (const rig::CameraFindings& c : poses.cameras)
+    list.push_back({{"camera", c.camera},
+                    {"median_residual_px", c.median_residual_px},
+                    {"known_rig_residual_px", c.known_residual_px},
+                    {"moved_mm", c.moved_mm},
+                    {"turned_rad", c.turned_rad}});
+  return list;
+}
+
+// Distances between markers that took no part in the fit.
+ordered_json heldOutOf(const rig::BatchPoses& poses) {
+  ordered_json list = ordered_json::array();
+  for (const rig::HeldOutDistance& d : poses.held_out)
+    list.push_back({{"markers", {d.first, d.second}},
+                    {"expected_mm", d.expected_mm},
+                    {"measured_mm", d.measured_mm},
+                    {"error_pct", 100 * d.error()}});
+  return list;
+}
+
+// What speaks against the scale holds the result; what agrees stands in the log.
+ScaleCheck scaleOf(const Run& run, const rig::BatchPoses& poses, StageNotes& notes) {
+  const ScaleCheck check = checkScale(poses, run.batch.known_lengths);
+  for (const std::string& warning : check.warnings) {
+    run.progress.note(NoteLevel::Warning, warning);
+    notes.warnings.push_back(warning);
+  }
+  for (const std::string& words : check.agreeing) run.progress.note(NoteLevel::Info, words);
+  return check;
+}
+
+// Blurred photographs help the poses, by their markers, and harm all that follows.
+Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
+  PhotoCheckOptions options;
+  options.one_camera = run.batch.way == batch::Way::FreeCamera;
+  options.threads = run.options.threads;
+  const Result<PhotoFindings> found =
+      checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
+  if (!found) return found.error();
+  for (const std::string& warning : found->warnings) {
+    run.progress.note(NoteLevel::Warning, warning);
+    notes.warnings.push_back(warning);
+  }
+  for (auto i = found->spoilt.rbegin(); i != found->spoilt.rend(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(*i);
+    poses.images.erase(poses.images.begin() + at);
+    poses.rms_per_image_px.erase(poses.rms_per_image_px.begin() + at);
+    poses.markers_per_image.erase(poses.markers_per_image.begin() + at);
+  }
+  return {};
+}
+
+constexpr const char* kBends = "sheet.json";
+
+// {"unit":"mm","front":{"reach","coefficients":[12]},"back":{...}}
+Result<void> writeBends(const fs::path& file, const std::array<rig::SheetBend, 2>& bends) {
+  ordered_json json{{"unit", "mm"}};
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const rig::SheetBend& bend = bends[sideIndex(side)];
+    json[batch::name(side)] = {{"reach", bend.reach_mm}, {"coefficients", bend.coefficients_mm}};
+  }
+  return writeJson(file, json);
+}
+
+Result<std::array<rig::SheetBend, 2>> readBends(const fs::path& file) {
+  const Result<nlohmann::json> json = readJson(file);
+  if (!json) return json.error();
+  std::array<rig::SheetBend, 2> bends;
+  try {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      const nlohmann::json& own = json->at(batch::name(side));
+      bends[sideIndex(side)].reach_mm = own.at("reach").get<double>();
+      bends[sideIndex(side)].coefficients_mm =
+          own.at("coefficients").get<std::array<double, rig::SheetBend::kTerms>>();
+    }
+  } catch (const nlohmann::json::exception&) {
+    return Error::unusable(
+        "It does not say how the sheets are bent; delete it, and they are measured again.", file);
+  }
+  return bends;
+}
+
+// What masks, stereo and all that follows work on: images of no more pixels than asked for.
+Staged<Poses> atWorkingSize(const Run& run, Poses poses, StageRecord record) {
+  bool any = false;
+  for (rig::PosedImage& image : poses.images) {
+    const int width = image.intrinsics.width;
+    image.intrinsics = rig::reducedTo(image.intrinsics, run.options.megapixels);
+    any = any || image.intrinsics.width != width;
+  }
+  if (any) record.outputs_hash = sha256(record.outputs_hash + fixed(run.options.megapixels, 3));
+  record.notes.figures["draft"] = any && run.options.megapixels <= kDraftMegapixels;
+  return {std::move(poses), std::move(record)};
+}
+
+}  // namespace
+
+std::vector<rig::PosedImage> Poses::of(batch::Side side) const {
+  std::vector<rig::PosedImage> chosen;
+  for (const rig::PosedImage& image : images)
+    if (image.side == side) chosen.push_back(image);
+  return chosen;
+}
+
+const batch::Shot* findShot(const batch::Batch& batch, const rig::PosedImage& image) {
+  const auto found =
+      std::find_if(batch.shots.begin(), batch.shots.end(), [&](const batch::Shot& shot) {
+        return shot.side == image.side && shot.camera == image.camera && shot.stop == image.stop;
+      });
+  return found == batch.shots.end() ? nullptr : &*found;
+}
+
+Result<Staged<Poses>> poseStage(const Run& run) {
+  std::optional<rig::Rig> known;
+  std::string rig_hash;
+  if (run.options.rig) {
+    const Result<std::string> bytes = readFile(*run.options.rig);
+    if (!bytes) return bytes.error();
+    const Result<rig::Rig> read = rig::readRig(*run.options.rig);
+    if (!read) return read.error();
+    known = *read;
+    rig_hash = sha256(*bytes);
+  }
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    if (!run.batch.plate) return poseWithoutPlate(run, folder);
+    rig::PoseOptions options;
+    options.threads = run.options.threads;
+    const bool free = run.batch.way == batch::Way::FreeCamera;
+    Result<rig::BatchPoses> poses =
+        free ? rig::poseFreeCameras(run.batch, options, run.progress, run.stop)
+             : rig::poseBatch(run.batch, known, options, run.progress, run.stop);
+    if (!poses) return poses.error();
+    StageNotes notes;
+    notes.warnings = poses->warnings;
+    const ScaleCheck scale = scaleOf(run, *poses, notes);
+    if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
+    if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
+        !written)
+      return written.error();
+    if (const Result<void> written = free ? writeBends(folder / kBends, poses->bends)
+                                          : rig::writeRig(folder / "rig.json", poses->rig);
+        !written)
+      return written.error();
+    notes.figures = {{"images", poses->images.size()},
+                     {"reprojection_rms_px", poses->reprojection_rms_px},
+                     {"rms_per_image_px", poses->rms_per_image_px},
+                     {"markers_per_image", poses->markers_per_image},
+                     {"cameras", residualsOf(*poses)},
+                     {"held_out", heldOutOf(*poses)},
+                     {"known_lengths", scale.lengths},
+                     {"scale_doubts", scale.doubts}};
+    return notes;
+  };
+  const Result<StageRecord> record =
+      runStage(run.held, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work, run.progress);
+  if (!record) return record.error();
+  Result<std::vector<rig::PosedImage>> images =
+      readCamerasOf(run.batch, run.work / "rig" / "cameras.json");
+  if (!images) return images.error();
+  if (!run.batch.plate) {
+    const bool has_scale = record->notes.figures.value("has_scale", false);
+    return atWorkingSize(run, {std::move(*images), {}, has_scale}, *record);
+  }
+  if (run.batch.way == batch::Way::FreeCamera) {
+    const Result<std::array<rig::SheetBend, 2>> bends = readBends(run.work / "rig" / kBends);
+    if (!bends) return bends.error();
+    return atWorkingSize(run, {std::move(*images), {}, true, *bends}, *record);
+  }
+  Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
+  if (!rig) return rig.error();
+  return atWorkingSize(run, {std::move(*images), std::move(*rig)}, *record);
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,47 @@
+#include <algorithm>
+
+#include "pipeline/process_batch.h"
+
+namespace ostraka::pipeline {
+
+namespace fs = std::filesystem;
+
+Result<void> ProcessOptions::check() const {
+  if (batch.empty()) return Error{ErrorCode::UnusableInput, "No batch folder was given.", {}};
+  if (output.empty())
+    return Error{ErrorCode::UnusableInput, "No output folder was given (--output OUT).", {}};
+  std::error_code failed;
+  for (const fs::path& input : {batch, back.value_or(batch)}) {
+    const fs::path folder = fs::weakly_canonical(input, failed);
+    const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
+    if (!beyond.empty() && *beyond.begin() != "..")
+      return Error{ErrorCode::UnusableInput,
+                   "The output folder lies in the batch folder, where nothing is ever written; "
+                   "choose one beside it.",
+                   output.string()};
+  }
+  if (!(megapixels >= 0.3))
+    return Error{ErrorCode::UnusableInput,
+                 "Photographs cannot be averaged down to less than 0.3 megapixels.",
+                 {}};
+  if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
+    return Error{ErrorCode::UnusableInput,
+                 "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "
+                 "file.",
+                 masks};
+  return {};
+}
+
+int ProcessSummary::ambiguous() const {
+  return static_cast<int>(std::count_if(sherds.begin(), sherds.end(),
+                                        [](const SherdSummary& s) { return s.ambiguous; }));
+}
+
+bool ProcessSummary::whole() const {
+  return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() && reshoot.empty() &&
+         moved.empty() && left_out.empty() &&
+         std::all_of(sherds.begin(), sherds.end(),
+                     [](const SherdSummary& s) { return s.has_model; });
+}
+
+}  // namespace ostraka::pipeline

@@ -19,27 +19,27 @@ struct Compared {
 };
 
 Compared compare(const batch::Plate& found, const batch::Plate& printed) {
-  std::vector<Eigen::Vector2d> a, b;
+  std::vector<Eigen::Vector3d> a, b;
   Compared result;
   for (const batch::Marker& of : printed.markers)
     for (const batch::Marker& marker : found.markers)
       if (marker.id == of.id) {
         ++result.markers;
         for (std::size_t c = 0; c < 4; ++c) {
-          a.push_back(of.corners[c].head<2>());
-          b.push_back(marker.corners[c].head<2>());
+          a.push_back(of.corners[c]);
+          b.push_back(marker.corners[c]);
         }
       }
-  Eigen::Matrix2Xd from(2, a.size()), to(2, b.size());
+  Eigen::Matrix3Xd from(3, a.size()), to(3, b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     from.col(static_cast<Eigen::Index>(i)) = a[i];
     to.col(static_cast<Eigen::Index>(i)) = b[i];
   }
-  const Eigen::Matrix3d fit = Eigen::umeyama(from, to, true);
-  result.scale = fit.block<2, 1>(0, 0).norm();
-  const Eigen::Matrix2Xd left =
-      ((fit.topLeftCorner<2, 2>() * from).colwise() + fit.topRightCorner<2, 1>()) - to;
-  const Eigen::Vector2d size = from.rowwise().maxCoeff() - from.rowwise().minCoeff();
+  const Eigen::Matrix4d fit = Eigen::umeyama(from, to, true);
+  result.scale = fit.block<3, 1>(0, 0).norm();
+  const Eigen::Matrix3Xd left =
+      ((fit.topLeftCorner<3, 3>() * from).colwise() + fit.topRightCorner<3, 1>()) - to;
+  const Eigen::Vector3d size = from.rowwise().maxCoeff() - from.rowwise().minCoeff();
   result.shape =
       std::sqrt(left.squaredNorm() / static_cast<double>(a.size())) / (size.norm() * result.scale);
   return result;

@@ -74,7 +74,10 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
   connect(file_watch_, &FileWatch::found, footer_, &FooterLine::say);
-  connect(file_watch_, &FileWatch::catalogueDamaged, this, &MainWindow::stopEntering);
+  connect(file_watch_, &FileWatch::catalogueDamaged, this, [this](const Error& damage) {
+    if (wizard_->isShooting()) return footer_->say(sentenceOf(damage));
+    closeProject(), start_->showError(damage);  // nothing more is entered
+  });
   auto* back_up = new QTimer(this);
   connect(back_up, &QTimer::timeout, this, &MainWindow::backUp);
   back_up->start(kBackUpEvery_ms);
@@ -253,7 +256,6 @@ bool MainWindow::lockProject(const QString& folder) {
   return false;
 }
 
-// One that was just made.
 void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   closeProject();
   if (!lockProject(QString::fromStdString(project->folder().string()))) return;
@@ -288,9 +290,8 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   if (read_only)
     footer_->say(tr("This project is read-only: you can look at everything, but change nothing."));
-  else
-    backUp();
   measureRoom();
+  if (!read_only) backUp();
   file_watch_->look(folder);
 }
 
@@ -478,11 +479,6 @@ void MainWindow::backUp() {
   });
 }
 
-void MainWindow::stopEntering(const Error& damage) {
-  if (wizard_->isShooting()) return footer_->say(sentenceOf(damage));
-  closeProject(), start_->showError(damage);
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (saysWhatIsLost()) return event->ignore();
   settings_.geometry = saveGeometry();
@@ -492,7 +488,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   writeSettings(settings_);
   closeProject();
   if (!queue_->isLeaving()) return event->accept();
-  // Whole stages stay; the present one ends within moments.
   start_->showError({ErrorCode::Cancelled,
                      tr("The computation is being stopped; it goes on when the project is opened "
                         "again. The window closes in a moment.")

@@ -66,7 +66,6 @@ class MainWindow final : public QMainWindow {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void stopEntering(const Error& damage);  // nothing more goes into a damaged catalogue
   bool saysWhatIsLost();
   void fitToSize();
   void buildStations();

@@ -146,21 +146,21 @@ constexpr const char* kBends = "sheet.json";
 
 // {"unit":"mm","front":{"reach","coefficients":[12]},"back":{...}}
 Result<void> writeBends(const fs::path& file, const std::array<rig::SheetBend, 2>& bends) {
-  ordered_json json{{"unit", "mm"}};
+  ordered_json sheets{{"unit", "mm"}};
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     const rig::SheetBend& bend = bends[sideIndex(side)];
-    json[batch::name(side)] = {{"reach", bend.reach_mm}, {"coefficients", bend.coefficients_mm}};
+    sheets[batch::name(side)] = {{"reach", bend.reach_mm}, {"coefficients", bend.coefficients_mm}};
   }
-  return writeJson(file, json);
+  return writeJson(file, sheets);
 }
 
 Result<std::array<rig::SheetBend, 2>> readBends(const fs::path& file) {
-  const Result<nlohmann::json> json = readJson(file);
-  if (!json) return json.error();
+  const Result<nlohmann::json> sheets = readJson(file);
+  if (!sheets) return sheets.error();
   std::array<rig::SheetBend, 2> bends;
   try {
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-      const nlohmann::json& own = json->at(batch::name(side));
+      const nlohmann::json& own = sheets->at(batch::name(side));
       bends[sideIndex(side)].reach_mm = own.at("reach").get<double>();
       bends[sideIndex(side)].coefficients_mm =
           own.at("coefficients").get<std::array<double, rig::SheetBend::kTerms>>();

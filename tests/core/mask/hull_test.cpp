@@ -104,5 +104,25 @@ TEST_F(Hull, SmallGroupsGoAndLargeOnesStay) {
   EXPECT_EQ(voxels[index(7, 7, 0)], 1);
 }
 
+TEST_F(Hull, GroupsThatFloatAboveThePlateAreRaysThatCrossByChance) {
+  std::vector<unsigned char> voxels(41 * 41 * 30, 0);
+  for (int y = 5; y < 15; ++y)
+    for (int x = 5; x < 15; ++x)
+      voxels[index(x, y, 12)] = voxels[index(x + 20, y, 2)] = voxels[index(x + 20, y, 12)] = 1;
+  EXPECT_EQ(dropSmallGroups(space_, voxels, 25), 1);
+  EXPECT_EQ(voxels[index(7, 7, 12)], 0);
+  EXPECT_EQ(voxels[index(27, 7, 12)], 1);  // above what stands on the plate
+}
+
+TEST(KeepTouching, TakesPartsOfASilhouetteThatNowhereShowBeforeTheFloor) {
+  cv::Mat1b floor(20, 30, uchar{0}), group(20, 30, uchar{0});
+  floor.rowRange(10, 20).setTo(255);
+  group(cv::Rect(2, 2, 5, 12)).setTo(3);  // leans over the floor's edge
+  group(cv::Rect(20, 2, 5, 6)).setTo(3);  // beyond it
+  keepTouching(floor, group);
+  EXPECT_EQ(group(3, 4), 3);
+  EXPECT_EQ(group(4, 22), 0);
+}
+
 }  // namespace
 }  // namespace ostraka::mask

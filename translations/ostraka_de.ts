@@ -8059,6 +8059,26 @@
       <translation>Die Ausgleichung des Messplatzes fand keine Lösung; prüfen, ob plate.json und board.json beschreiben, was aufgenommen wurde.</translation>
     </message>
     <message>
+      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Darin steht nicht, wie die Blätter gebogen sind; die Datei löschen, dann wird es neu gemessen.</translation>
+    </message>
+    <message>
+      <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken des Blattes sind in %1 von %2 Fotos der Seite %3 lesbar; mindestens 3 sind nötig. Prüfen, ob plate.json dieses Blatt beschreibt, ob die Fotos nicht gespiegelt sind und ob die meisten Marken im Bild sind.</translation>
+    </message>
+    <message>
+      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 Marken des Blattes sind darin lesbar, zu wenige für eine Lage; es wird weggelassen.</translation>
+    </message>
+    <message>
+      <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur eine Seite wurde fotografiert: Ihre %1 Scans sind offene Flächen ohne Rückseite; sie liegen in 'unpaired'.</translation>
+    </message>
+    <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt kein plate.json, also sind die Marken des Tellers nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit dem Teller geschrieben hat.</translation>

@@ -8054,6 +8054,26 @@
       <translation>Η προσαρμογή της διάταξης δεν συνέκλινε· ελέγξτε ότι τα plate.json και board.json περιγράφουν ό,τι φωτογραφήθηκε.</translation>
     </message>
     <message>
+      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν λέει πώς είναι λυγισμένα τα φύλλα· διαγράψτε το αρχείο και θα μετρηθούν ξανά.</translation>
+    </message>
+    <message>
+      <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες του φύλλου διαβάζονται σε %1 από %2 φωτογραφίες της πλευράς %3· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι το plate.json περιγράφει αυτό το φύλλο, ότι οι φωτογραφίες δεν είναι ανεστραμμένες και ότι οι περισσότεροι δείκτες είναι μέσα στην εικόνα.</translation>
+    </message>
+    <message>
+      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: διαβάζονται %2 δείκτες του φύλλου, πολύ λίγοι για θέση· παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφήθηκε μόνο μία πλευρά: οι %1 σαρώσεις της είναι ανοιχτές επιφάνειες χωρίς πίσω όψη· βρίσκονται στο 'unpaired'.</translation>
+    </message>
+    <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει plate.json, οπότε οι δείκτες του δίσκου δεν χρησιμοποιούνται· αντιγράψτε εδώ εκείνο που έγραψε το 'ostraka plate' μαζί με τον δίσκο.</translation>

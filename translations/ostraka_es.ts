@@ -8054,6 +8054,26 @@
       <translation>El ajuste del equipo no llegó a una solución; compruebe que plate.json y board.json describen lo que se fotografió.</translation>
     </message>
     <message>
+      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No indica cómo están curvadas las hojas; borre el archivo y se medirán de nuevo.</translation>
+    </message>
+    <message>
+      <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas de la hoja se leen en %1 de %2 fotografías del lado %3; se necesitan al menos 3. Compruebe que plate.json describe esta hoja, que las fotografías no están invertidas y que la mayoría de las marcas están en la imagen.</translation>
+    </message>
+    <message>
+      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: en ella se leen %2 marcas de la hoja, muy pocas para una pose; se deja fuera.</translation>
+    </message>
+    <message>
+      <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo se fotografió un lado: sus %1 escaneos son superficies abiertas sin reverso; están en 'unpaired'.</translation>
+    </message>
+    <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay plate.json, así que no se pueden usar las marcas del plato; copie aquí el que 'ostraka plate' escribió con el plato.</translation>

@@ -8054,6 +8054,26 @@
       <translation>L’ajustement du banc n’a pas abouti ; vérifiez que plate.json et board.json décrivent ce qui a été photographié.</translation>
     </message>
     <message>
+      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y est pas dit comment les feuilles sont courbées ; supprimez ce fichier, elles seront mesurées à nouveau.</translation>
+    </message>
+    <message>
+      <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques de la feuille se lisent sur %1 des %2 photographies du côté %3 ; il en faut au moins 3. Vérifiez que plate.json décrit cette feuille, que les photographies ne sont pas inversées et que la plupart des marques sont dans l’image.</translation>
+    </message>
+    <message>
+      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; elle est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un seul côté a été photographié : ses %1 scans sont des surfaces ouvertes sans revers ; ils sont dans 'unpaired'.</translation>
+    </message>
+    <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de plate.json, les marques du plateau ne peuvent donc pas servir ; copiez ici celui que 'ostraka plate' a écrit avec le plateau.</translation>

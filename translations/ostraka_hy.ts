@@ -8054,6 +8054,26 @@
       <translation>Սարքակազմի հաշվարկը լուծման չհասավ. ստուգեք, որ plate.json և board.json ֆայլերը նկարագրում են այն, ինչ լուսանկարվել է։</translation>
     </message>
     <message>
+      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չի ասում, թե ինչպես են ծռված թերթերը. ջնջեք ֆայլը, և դրանք կչափվեն նորից։</translation>
+    </message>
+    <message>
+      <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթի նշանները կարդացվում են %3 կողմի %2 լուսանկարներից %1-ում. հարկավոր է առնվազն 3։ Ստուգեք, որ plate.json-ը նկարագրում է այս թերթը, որ լուսանկարները հայելային չեն, և որ նշանների մեծ մասը նկարում է։</translation>
+    </message>
+    <message>
+      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: կարդացվում է թերթի %2 նշան, շատ քիչ՝ դիրքի համար. բաց է թողնված։</translation>
+    </message>
+    <message>
+      <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարվել է միայն մեկ կողմը. դրա %1 սկանները բաց մակերեսներ են՝ առանց հակառակ կողմի. դրանք 'unpaired'-ում են։</translation>
+    </message>
+    <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json չկա, ուստի սկավառակի նշիչները չեն կարող օգտագործվել. այստեղ պատճենեք այն, որը 'ostraka plate'-ը գրել է սկավառակի հետ։</translation>

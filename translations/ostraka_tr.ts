@@ -8006,6 +8006,26 @@
       <translation>Düzeneğin hesabı bir çözüme varmadı; plate.json ve board.json dosyalarının fotoğraflananı anlattığını denetleyin.</translation>
     </message>
     <message>
+      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfaların nasıl eğildiğini söylemiyor; dosyayı silin, yeniden ölçülür.</translation>
+    </message>
+    <message>
+      <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfanın işaretleri %3 tarafının %2 fotoğrafından %1 tanesinde okunabiliyor; en az 3 gerekir. plate.json dosyasının bu sayfayı tanımladığını, fotoğrafların ters çevrilmediğini ve işaretlerin çoğunun resimde olduğunu denetleyin.</translation>
+    </message>
+    <message>
+      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: sayfanın %2 işareti okunabiliyor, konum için çok az; dışarıda bırakıldı.</translation>
+    </message>
+    <message>
+      <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnızca bir taraf fotoğraflandı: %1 taraması arkası olmayan açık yüzeylerdir; 'unpaired' içindedir.</translation>
+    </message>
+    <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json yok, bu yüzden tablanın işaretleri kullanılamıyor; 'ostraka plate' komutunun tablayla birlikte yazdığını buraya kopyalayın.</translation>

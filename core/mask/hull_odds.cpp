@@ -7,8 +7,9 @@
 namespace ostraka::mask {
 namespace {
 
-constexpr float kSlackVoxels = 0.75F, kPerVoxel = 4;  // a hull's outermost voxel says nothing
-constexpr double kMostHullOdds = 4, kPriorSamples = 10;
+constexpr float kSlackVoxels = 1;  // a hull's outermost voxel says nothing
+// Enough to settle a doubt, too little to carry a sherd over its own contact shadow.
+constexpr double kMostHullOdds = 2, kPriorSamples = 10;
 constexpr float kSureOdds = 3;
 
 std::size_t stepOf(float voxels, std::size_t steps) {
@@ -22,8 +23,7 @@ void HullOdds::addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels) const {
   cv::resize(voxels, full, log_odds.size(), 0, 0, cv::INTER_LINEAR);
   for (int y = 0; y < full.rows; ++y)
     for (int x = 0; x < full.cols; ++x)
-      log_odds(y, x) += std::min(steps[stepOf(full(y, x), steps.size())],
-                                 std::max(0.F, kPerVoxel * (full(y, x) - kSlackVoxels)));
+      if (full(y, x) > kSlackVoxels) log_odds(y, x) += steps[stepOf(full(y, x), steps.size())];
 }
 
 HullOdds learnHullOdds(std::span<const HullSight> sights, int reduction) {

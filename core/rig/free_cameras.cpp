@@ -29,8 +29,8 @@ class FreePoser {
   Result<BatchPoses> run() {
     if (!batch_.plate)
       return Error{ErrorCode::NotEnough,
-                   "There is no plate.json that describes the sheet, so its markers cannot be "
-                   "used; name it with --sheet, or copy it beside the photographs.",
+                   "There is no plate.json, so the plate's markers cannot be used; copy the one "
+                   "here that 'ostraka plate' wrote with the plate.",
                    batch_.folder.string()};
     Result<std::vector<ShotMarkers>> shots =
         findBatchMarkers(batch_, options_.threads, progress_, stop_);

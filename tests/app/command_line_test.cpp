@@ -63,7 +63,9 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
        {"process", "register", "dense", "evaluate", "completion", "--json", "Exit status"})
     EXPECT_TRUE(says(root, word)) << word;
   const std::pair<const char*, std::vector<const char*>> commands[] = {
-      {"process", {"BATCH", "--output", "--rig", "--threads", "--dense", "--masks", "--pairing"}},
+      {"process",
+       {"PHOTOGRAPHS", "BACK", "--sheet", "--output", "--rig", "--threads", "--dense", "--masks",
+        "--pairing"}},
       {"register", {"--front", "--back", "--output", "--scale", "--pairing"}},
       {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
       {"evaluate", {"OUT", "--truth", "--align"}},
@@ -113,10 +115,10 @@ TEST_F(CommandLine, ACommandLineThatCannotBeUsedIsUnusableInput) {
 
 TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
   const std::pair<const char*, std::vector<const char*>> lines[] = {
-      {"process A extra -o x", {"not expected: extra", "ostraka process --help"}},
-      {"process A extra", {"not expected: extra"}},
+      {"process A B extra -o x", {"not expected: extra", "ostraka process --help"}},
+      {"process A B extra", {"not expected: extra"}},
       {"fly", {"'fly' is neither a command nor a project"}},
-      {"process -o x", {"BATCH is required"}},
+      {"process -o x", {"PHOTOGRAPHS is required"}},
       {"process A -o x --dense magic", {"--dense takes builtin, colmap, openmvs; not 'magic'"}},
       {"completion tcsh", {"SHELL takes bash, zsh, fish; not 'tcsh'"}},
       {"process A -o", {"--output needs a value"}},

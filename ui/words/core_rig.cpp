@@ -34,6 +34,22 @@ Sentences sentencesOfRig() {
                         "The bundle adjustment of the rig did not converge; check that plate.json "
                         "and board.json describe what was photographed."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "It does not say how the sheets are bent; delete it, and they are measured "
+                        "again."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "The sheet's markers can be read in %1 of %2 photographs of the %3 side; at "
+          "least 3 are needed. Check that plate.json describes this sheet, that the "
+          "photographs are not mirrored, and that most of the markers are in the "
+          "picture."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "%1: %2 of the sheet's markers can be read in it, too few for a pose; it is "
+          "left out."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Only one side was photographed: its %1 scans are open surfaces without a "
+                        "back; they are in 'unpaired'."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "There is no plate.json, so the plate's markers cannot be used; copy the "
                         "one here that 'ostraka plate' wrote with the plate."),
       QT_TRANSLATE_NOOP("ostraka::Error",

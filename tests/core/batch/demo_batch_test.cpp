@@ -25,7 +25,7 @@ TEST(ReadPhotographs, ReadsBothSidesOfATelephonesPhotographsOverASheet) {
   const auto batch = readPhotographs(hand / "front", hand / "back", {}, {}, listener);
   ASSERT_TRUE(batch.has_value()) << batch.error().sentence();
   EXPECT_EQ(batch->way, Way::FreeCamera);
-  EXPECT_EQ(batch->folder, hand);
+  EXPECT_EQ(batch->folder, hand.lexically_normal());
   EXPECT_EQ(batch->shots.size(), 40U);
   EXPECT_EQ(batch->shots[20].file.filename(), "IMG_2437.jpg");
   ASSERT_TRUE(batch->plate && batch->plate->sheet);

@@ -207,7 +207,7 @@ class DetailsTest : public CatalogueWindow {
     auto* yes = child<QPushButton>("confirmChange");
     QVERIFY(yes->isVisible());
     const QString question = child<QLabel>("refusalText")->text();
-    QVERIFY2(question.contains("three times off") && question.contains("below the width"),
+    QVERIFY2(question.contains("about a tenth") && question.contains("below the width"),
              qPrintable(question));
     QCOMPARE(sample_->value(0, "length_mm"), computed);
     // The question and its button are seen whole, at the end of a small page, too.

@@ -298,7 +298,7 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   const QString cut = station_->findChild<QLabel*>("message")->text();
-  QVERIFY2(cut.contains("the number ARM1-0012-2 goes to the half"), qPrintable(cut));
+  QVERIFY2(cut.contains("number ARM1-0012-2 goes to the half"), qPrintable(cut));
 }
 
 void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {

@@ -151,8 +151,8 @@ SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& o
   }
   const rig::PosedImage front = fromAbove(Side::Front, output / "photographs" / "front.png");
   const rig::PosedImage back = fromAbove(Side::Back, output / "photographs" / "back.png");
-  photograph(front, fronts, work / "masks_front" / "cam0_pos00.png");
-  photograph(back, backs, work / "masks_back" / "cam0_pos00.png");
+  photograph(front, fronts, work / "masks_front" / "front.png");
+  photograph(back, backs, work / "masks_back" / "back.png");
   (void)rig::writeCameras(work / "rig" / "cameras.json", {front, back});
 
   // The outlines of look-alikes lie on each other: the pose of one is the other's, moved.

@@ -193,6 +193,11 @@ class DetailsTest : public CatalogueWindow {
     length.kind = "length";
     length.unit = "mm";
     length.value = 72.39;
+    length.method = "program";
+    // The sample's own length is a person's; only where that is gone the computed one stands.
+    const catalogue::FieldChange clear{length.sherd, "length_mm", "",
+                                       catalogue::Confirmation::Given};
+    QVERIFY(sample_->catalogue().change(std::span(&clear, 1), {}).has_value());
     QVERIFY(sample_->catalogue().measure(length, {}).has_value());
     choose(0);
     auto* line = child<QLineEdit>("field_length_mm");

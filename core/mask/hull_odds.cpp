@@ -8,8 +8,7 @@ namespace ostraka::mask {
 namespace {
 
 constexpr float kSlackVoxels = 1;  // a hull's outermost voxel says nothing
-// Enough to settle a doubt, too little to carry a sherd over its own contact shadow.
-constexpr double kMostHullOdds = 2, kPriorSamples = 10;
+constexpr double kMostHullOdds = 4, kPriorSamples = 10;
 constexpr float kSureOdds = 3;
 
 std::size_t stepOf(float voxels, std::size_t steps) {
@@ -18,12 +17,13 @@ std::size_t stepOf(float voxels, std::size_t steps) {
 
 }  // namespace
 
-void HullOdds::addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels) const {
+void HullOdds::addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels, float times) const {
   cv::Mat1f full;
   cv::resize(voxels, full, log_odds.size(), 0, 0, cv::INTER_LINEAR);
   for (int y = 0; y < full.rows; ++y)
     for (int x = 0; x < full.cols; ++x)
-      if (full(y, x) > kSlackVoxels) log_odds(y, x) += steps[stepOf(full(y, x), steps.size())];
+      if (full(y, x) > kSlackVoxels)
+        log_odds(y, x) += times * steps[stepOf(full(y, x), steps.size())];
 }
 
 HullOdds learnHullOdds(std::span<const HullSight> sights, int reduction) {

@@ -197,6 +197,19 @@ cv::Mat1b cutOutline(const cv::Mat1f& log_odds, const cv::Mat1b& allowed, const 
   return cut;
 }
 
+cv::Mat1b settleStrips(const cv::Mat1b& surely, const cv::Mat1b& perhaps, double strip_px,
+                       const cv::Mat3f& residual, const CutOptions& options) {
+  constexpr float kSettled = 8;  // log odds that no neighbour outweighs
+  const int strip = cvRound(strip_px) | 1;
+  cv::Mat1b wide;
+  cv::morphologyEx(perhaps & ~surely, wide, cv::MORPH_OPEN,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {strip, strip}));
+  cv::Mat1f log_odds(perhaps.size(), -kSettled);
+  log_odds.setTo(0, perhaps);
+  log_odds.setTo(kSettled, (surely & perhaps) | wide);
+  return cutOutline(log_odds, perhaps, residual, options);
+}
+
 cv::Mat1b softenOutline(const cv::Mat1b& cut, const cv::Mat& photograph) {
   return soften(cut, photograph, {});
 }

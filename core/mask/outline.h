@@ -15,6 +15,13 @@ struct CutOptions {
 cv::Mat1b cutOutline(const cv::Mat1f& log_odds, const cv::Mat1b& allowed, const cv::Mat3f& residual,
                      const CutOptions& options);
 
+/// The outline between what is surely sherd and what may be, for a hull is a voxel or two wider
+/// than its sherd: where the second is wider than `strip_px` it is taken; in strips, each of which
+/// is a dark break or the plate in its shadow, the outline runs where the residual is sharper, for
+/// shadows fade. All of one size, 255 inside.
+cv::Mat1b settleStrips(const cv::Mat1b& surely, const cv::Mat1b& perhaps, double strip_px,
+                       const cv::Mat3f& residual, const CutOptions& options);
+
 /// Soft coverage within about two pixels of the cut: each pixel's share between the local colours
 /// of sherd and background, in linear light (coverage mixes light, not encoded values). Where the
 /// two are too alike the cut, slightly smoothed, stays.

@@ -39,8 +39,8 @@ struct ViewState {
 
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
 constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
-constexpr double kCarvingShare =
-    0.15;                          // of the photographs; of the others some see a shadow as sherd
+constexpr double kCarvingShare = 0.15;     // of the photographs; some see a shadow as sherd
+constexpr double kStripVoxels = 3;         // masks of light and demo are the same from 1.5 to 20
 constexpr double kStrange = 0.03;  // share of the bare plate: more than what poses and grain do
 
 Result<void> checkInput(std::span<const rig::PosedImage> images,
@@ -426,12 +426,20 @@ class PlateMasker {
       cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
       view.log_odds += heightsInTheLight(surely, view.residual);
     }
-    const cv::Mat1b cut = cutOutline(view.log_odds, view.allowed, view.residual, cut_options);
+    const cv::Mat1b cut = cutWithHull(view, cut_options, mm);
     // The plate's z axis in the camera's frame, as it shows in the picture.
     const Eigen::Vector3d z = images_[index].camera_from_plate.linear().col(2);
     const cv::Vec2f up(static_cast<float>(z.x()), static_cast<float>(z.y()));
     result_.masks[index] =
         refineOutline(softenOutline(cut, photographs_[index]), photographs_[index], up);
+  }
+
+  cv::Mat1b cutWithHull(ViewState& view, const CutOptions& options, double mm) const {
+    const cv::Mat1b with = cutOutline(view.log_odds, view.allowed, view.residual, options);
+    hull_odds_.addTo(view.log_odds, view.voxels, -1);
+    const cv::Mat1b own = cutOutline(view.log_odds, view.allowed, view.residual, options);
+    hull_odds_.addTo(view.log_odds, view.voxels, 1);
+    return settleStrips(own, with, kStripVoxels * space_.pitch / mm, view.residual, options);
   }
 
   // Whether the hull leaves the plate bare here: its lowest layer is empty.

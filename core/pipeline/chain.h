@@ -16,7 +16,6 @@
 #include "rig/camera.h"
 #include "rig/rig.h"
 #include "rig/sheet_bend.h"
-#include "scan/lengths.h"
 
 namespace ostraka::pipeline {
 
@@ -96,8 +95,9 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
 /// Pieces as people joined and split them; without such decisions as the program found them.
 /// The record's "doubtful": scan::SplitResult.
 Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
-                                                  const Staged<PointCloud>& cloud,
-                                                  scan::Lengths lengths);
+                                                  const Staged<Poses>& poses,
+                                                  const Staged<Masks>& masks,
+                                                  const Staged<PointCloud>& cloud);
 /// The same from scans that were split already; they are named f001 or b001 on in their order, and
 /// the record says which file each came from.
 Result<Staged<std::vector<scan::Scan>>> importStage(const Run& run, batch::Side side,

@@ -113,9 +113,7 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   stages.push_back({"stereo, " + name, cloud->record});
   if (cancelled()) return Error::cancelled();
   run.progress.begin("scans of the " + name + " side", 0.02);
-  Result<Staged<std::vector<scan::Scan>>> scans =
-      scanStage(run, side, *cloud,
-                poses.value.has_scale ? scan::Lengths::Millimetres : scan::Lengths::Relative);
+  Result<Staged<std::vector<scan::Scan>>> scans = scanStage(run, side, poses, *masks, *cloud);
   if (!scans) return scans.error();
   stages.push_back({"scans, " + name, scans->record});
   found.masks = std::move(*masks);

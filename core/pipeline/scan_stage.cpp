@@ -132,13 +132,17 @@ std::string scanFolder(const Run& run, batch::Side side) {
   return (hasEdits(run.decisions, side) ? "pieces_" : "scans_") + std::string(batch::name(side));
 }
 
-Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<PointCloud>& cloud,
-                        scan::Lengths lengths) {
+Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                        const Staged<Masks>& masks, const Staged<PointCloud>& cloud) {
+  const bool relative = !poses.value.has_scale;
   const std::string name = std::string("scans_") + batch::name(side);
   const std::string frame = std::string("plate_") + batch::name(side);
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
     scan::SplitOptions options;
-    options.lengths = lengths;
+    options.lengths = relative ? scan::Lengths::Relative : scan::Lengths::Millimetres;
+    const std::vector<rig::PosedImage> images = poses.value.of(side);
+    options.images = images;
+    options.masks = masks.value;
     const Result<scan::SplitResult> split =
         scan::splitScans(cloud.value, side, options, run.progress);
     if (!split) return split.error();
@@ -146,10 +150,11 @@ Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<PointClou
     if (!points) return points.error();
     return StageNotes{{{"points", *points}, {"doubtful", split->doubtful}}, split->warnings};
   };
-  const bool relative = lengths == scan::Lengths::Relative;
-  const Result<StageRecord> record =
-      runStage(run.held, name, {{"cloud", cloud.record.outputs_hash}, {"relative", relative}}, work,
-               run.progress);
+  const Result<StageRecord> record = runStage(run.held, name,
+                                              {{"cloud", cloud.record.outputs_hash},
+                                               {"masks", masks.record.outputs_hash},
+                                               {"relative", relative}},
+                                              work, run.progress);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
   if (!found || !hasEdits(run.decisions, side)) return found;

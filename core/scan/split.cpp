@@ -10,6 +10,7 @@
 #include "base/plate_order.h"
 #include "cloud/nearest.h"
 #include "scan/footprint.h"
+#include "scan/outlines.h"
 #include "scan/rim.h"
 #include "scan/touching.h"
 
@@ -170,11 +171,15 @@ void leaveOutRelative(const Limits& limits, double longest, SplitResult& result)
   result.doubtful.push_back(result.warnings.back());
 }
 
+bool isSmall(const PointCloud& piece, const SplitOptions& options) {
+  return extentOf(piece).longest_mm < options.min_extent_mm ||
+         areaFromAbove_mm2(piece) < options.min_area_mm2;
+}
+
 // A piece that is no sherd is reported and left aside.
 bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result) {
   const Extent extent = extentOf(piece);
-  const bool small = extent.longest_mm < limits.options.min_extent_mm ||
-                     areaFromAbove_mm2(piece) < limits.options.min_area_mm2;
+  const bool small = isSmall(piece, limits.options);
   const bool flat = extent.height_mm < limits.options.min_height_mm;
   if (!small && !flat) return true;
   if (limits.options.lengths == Lengths::Relative) {
@@ -188,6 +193,26 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
                               " was left aside; it may be a marker or dirt on the plate.");
   }
   return false;
+}
+
+// Pieces of one thing become one; its crumbs, which stand for noise within its outline, fly.
+std::vector<PointCloud> joinedByOutlines(const PointCloud& cloud,
+                                         std::vector<std::vector<int>> pieces,
+                                         const SplitOptions& options, std::size_t& flying) {
+  std::vector<PointCloud> apart;
+  for (const std::vector<int>& piece : pieces) apart.push_back(subset(cloud, piece));
+  const std::vector<std::size_t> thing = thingsOf(apart, options.images, options.masks);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (thing[i] == i) continue;
+    if (isSmall(apart[i], options))
+      flying += pieces[i].size();
+    else
+      pieces[thing[i]].insert(pieces[thing[i]].end(), pieces[i].begin(), pieces[i].end());
+  }
+  std::vector<PointCloud> whole;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (thing[i] == i) whole.push_back(subset(cloud, pieces[i]));
+  return whole;
 }
 
 // One sherd, or several that touch: what was cut is looked at again, for three may lie in a row.
@@ -221,6 +246,8 @@ Result<void> SplitOptions::check() const {
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
+  if (options.images.size() != options.masks.size())
+    return Error{ErrorCode::UnusableInput, "Each photograph of a side needs one mask.", {}};
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
     return Error{ErrorCode::UnusableInput, "The cloud of the plate has no normals.", {}};
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
@@ -229,14 +256,14 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   auto connected = connectedPieces(above, options.gap_mm);
   const Limits limits = limitsOf(above, connected, side, options);
   const auto pieces = withHoveringJoined(above, std::move(connected), limits.options);
-  for (const std::vector<int>& indices : pieces) {
-    if (indices.size() < kFewest) {
+  std::vector<std::vector<int>> large;
+  for (const std::vector<int>& indices : pieces)
+    if (indices.size() < kFewest)
       flying += indices.size();
-      continue;
-    }
-    PointCloud piece = subset(above, indices);
+    else
+      large.push_back(indices);
+  for (PointCloud& piece : joinedByOutlines(above, std::move(large), limits.options, flying))
     if (isSherd(piece, limits, result)) addParts(std::move(piece), limits, result);
-  }
   if (result.scans.empty())
     return Error{ErrorCode::NotEnough,
                  std::string("No sherd was found on the ") + batch::name(side) +

@@ -1,10 +1,13 @@
 #pragma once
+#include <opencv2/core/mat.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
 #include "batch/batch.h"
+#include "rig/camera.h"
 #include "scan/lengths.h"
 #include "scan/scan.h"
 #include "scan/touching.h"
@@ -26,6 +29,9 @@ struct SplitOptions {
   double min_area_mm2 = 50;     ///< so are slivers: a sherd of 1 cm covers more, seen from above
   double min_height_mm = 1.5;   ///< flatter pieces are markers or dirt: walls are 3 mm and more
   TouchingOptions touching;
+  /// Photographs and masks of the side, see outlines.h; without them gaps alone separate sherds.
+  std::span<const rig::PosedImage> images = {};
+  std::span<const cv::Mat1b> masks = {};
   Result<void> check() const;
 };
 
@@ -37,7 +43,8 @@ struct SplitResult {
   std::vector<std::string> doubtful;
 };
 
-/// One cloud per sherd: connected pieces above the plate, with what hovers beside them. Crumbs,
+/// One cloud per sherd: connected pieces above the plate, with what hovers beside them and what
+/// stereo left without a connection to them within their outlines. Crumbs,
 /// plate points, markers and flying points are dropped; touching sherds are cut apart;
 /// all of it is reported. plate_cloud: oriented points in the side's plate frame, mm. Errors:
 /// NotEnough when nothing is left, UnusableInput without normals. Deterministic; numbers follow the

@@ -146,5 +146,45 @@ TEST(Outline, CrumbsAndPinholesBelowTheAreaGo) {
   EXPECT_EQ(cut(12, 12), 255);
 }
 
+// A sherd to x = 30 at least, perhaps to x = 37, beside lit plate: its residual by column, with
+// grain.
+int outlineBeside(float (*residual)(int)) {
+  cv::Mat1b surely(60, 80, uchar{0}), perhaps(60, 80, uchar{0});
+  cv::Mat3f residuals(60, 80);
+  std::mt19937 random(1);
+  std::normal_distribution<float> grain(0, 0.1F);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) {
+      const bool row = y > 4 && y < 55;
+      if (row && x > 4 && x <= 30) surely(y, x) = 255;
+      if (row && x > 4 && x <= 37) perhaps(y, x) = 255;
+      residuals(y, x) = cv::Vec3f::all(residual(x) + grain(random));
+    }
+  const cv::Mat1b settled = settleStrips(surely, perhaps, 12, residuals, {});
+  int x = 20;
+  while (settled(30, x + 1) != 0) ++x;
+  return x;
+}
+
+TEST(Outline, AStripThatOnlyTheHullHoldsIsTheSherdsWhereItEndsSharply) {
+  // A dark break, a little darker than the face: it ends where the lit plate begins.
+  EXPECT_EQ(outlineBeside([](int x) { return x <= 30 ? -0.8F : x <= 37 ? -1.1F : 0.F; }), 37);
+  // The plate in its contact shadow: sharp against the sherd, and fading.
+  EXPECT_EQ(outlineBeside([](int x) {
+              return x <= 30 ? 0.6F : -0.8F * std::max(0.F, 1 - static_cast<float>(x - 30) / 12);
+            }),
+            30);
+}
+
+TEST(Outline, WhatTheHullHoldsWiderThanAStripIsTheSherds) {
+  cv::Mat1b surely(60, 80, uchar{0}), perhaps(60, 80, uchar{0});
+  perhaps(cv::Rect(20, 10, 40, 40)) = 255;
+  const cv::Mat3f residual(60, 80, cv::Vec3f::all(-1));
+  EXPECT_GT(cv::countNonZero(settleStrips(surely, perhaps, 12, residual, {})), 1500);
+  perhaps.setTo(0);
+  perhaps(cv::Rect(20, 10, 40, 7)) = 255;
+  EXPECT_EQ(cv::countNonZero(settleStrips(surely, perhaps, 12, residual, {})), 0);
+}
+
 }  // namespace
 }  // namespace ostraka::mask

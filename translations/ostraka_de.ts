@@ -8389,11 +8389,6 @@
       <translation>Zeile %1 ist nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>COLMAP's workspace cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAPs Arbeitsordner lässt sich nicht beschreiben (%1).</translation>
-    </message>
-    <message>
       <source>This photograph is posed without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Lage dieses Fotos wird ohne seine Maske bestimmt.</translation>
@@ -8627,11 +8622,6 @@
       <source>No sherd was found on the back side; check its masks and photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf der Rückseite wurde keine Scherbe gefunden; ihre Masken und Fotos prüfen.</translation>
-    </message>
-    <message>
-      <source>The working folder cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Arbeitsordner lässt sich nicht beschreiben (%1).</translation>
     </message>
     <message>
       <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>

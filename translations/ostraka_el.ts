@@ -8384,11 +8384,6 @@
       <translation>Η γραμμή %1 δεν είναι όπως τη γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
-      <source>COLMAP's workspace cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν γίνεται εγγραφή στον φάκελο εργασίας του COLMAP (%1).</translation>
-    </message>
-    <message>
       <source>This photograph is posed without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση αυτής της φωτογραφίας προσδιορίζεται χωρίς τη μάσκα της.</translation>
@@ -8622,11 +8617,6 @@
       <source>No sherd was found on the back side; check its masks and photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε όστρακο στην πίσω όψη· ελέγξτε τις μάσκες και τις φωτογραφίες της.</translation>
-    </message>
-    <message>
-      <source>The working folder cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν γίνεται εγγραφή στον φάκελο εργασίας (%1).</translation>
     </message>
     <message>
       <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>

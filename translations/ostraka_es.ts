@@ -8384,11 +8384,6 @@
       <translation>La línea %1 no es como la escribe COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
-      <source>COLMAP's workspace cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir en la carpeta de trabajo de COLMAP (%1).</translation>
-    </message>
-    <message>
       <source>This photograph is posed without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de esta foto se determina sin su máscara.</translation>
@@ -8622,11 +8617,6 @@
       <source>No sherd was found on the back side; check its masks and photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se encontró ningún fragmento en el reverso; revise sus máscaras y fotos.</translation>
-    </message>
-    <message>
-      <source>The working folder cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir en la carpeta de trabajo (%1).</translation>
     </message>
     <message>
       <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>

@@ -8384,11 +8384,6 @@
       <translation>La ligne %1 n’est pas telle que COLMAP l’écrit ; relancez COLMAP.</translation>
     </message>
     <message>
-      <source>COLMAP's workspace cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’espace de travail de COLMAP ne peut pas être écrit (%1).</translation>
-    </message>
-    <message>
       <source>This photograph is posed without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de cette photo est déterminée sans son masque.</translation>
@@ -8622,11 +8617,6 @@
       <source>No sherd was found on the back side; check its masks and photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson n’a été trouvé sur la face arrière ; vérifiez ses masques et ses photos.</translation>
-    </message>
-    <message>
-      <source>The working folder cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier de travail ne peut pas être écrit (%1).</translation>
     </message>
     <message>
       <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>

@@ -8384,11 +8384,6 @@
       <translation>%1 տողն այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
-      <source>COLMAP's workspace cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP-ի աշխատանքային պանակում գրել հնարավոր չէ (%1)։</translation>
-    </message>
-    <message>
       <source>This photograph is posed without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարի դիրքը որոշվում է առանց իր դիմակի։</translation>
@@ -8622,11 +8617,6 @@
       <source>No sherd was found on the back side; check its masks and photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսին ոչ մի բեկոր չգտնվեց. ստուգեք դրա դիմակներն ու լուսանկարները։</translation>
-    </message>
-    <message>
-      <source>The working folder cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աշխատանքային պանակում գրել հնարավոր չէ (%1)։</translation>
     </message>
     <message>
       <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>

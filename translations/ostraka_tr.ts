@@ -8336,11 +8336,6 @@
       <translation>%1. satır COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>COLMAP's workspace cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP’in çalışma klasörüne yazılamıyor (%1).</translation>
-    </message>
-    <message>
       <source>This photograph is posed without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğrafın duruşu maskesi olmadan bulunur.</translation>
@@ -8574,11 +8569,6 @@
       <source>No sherd was found on the back side; check its masks and photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzde hiç parça bulunamadı; maskelerini ve fotoğraflarını denetleyin.</translation>
-    </message>
-    <message>
-      <source>The working folder cannot be written (%1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Çalışma klasörüne yazılamıyor (%1).</translation>
     </message>
     <message>
       <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <set>
 
+#include "base/cannot_write.h"
 #include "catalogue/database.h"
 #include "catalogue/file_header.h"
 #include "catalogue/partial_file.h"
@@ -37,7 +38,7 @@ Result<fs::path> backUpInto(const fs::path& folder, const Catalogue& catalogue,
   if (const Result<Pages> live = lookAtHeader(catalogue.database().file()); !live)
     return live.error();
   std::error_code code;
-  fs::create_directories(folder / "backups", code);
+  if (const Result<void> made = makeFolder(folder / "backups"); !made) return made.error();
   PartialFile::removeLeftovers(folder / "backups");
   fs::path file = folder / "backups" / (kBackup + timeStamp(catalogue.now()) + kind + ".sqlite");
   for (int more = 2; fs::exists(file, code); ++more)

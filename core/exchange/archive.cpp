@@ -112,9 +112,8 @@ Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& prog
 }
 
 Result<void> checkRestored(const fs::path& folder) {
-  std::error_code code;
   for (const char* name : {"batches", "results", "backups"})
-    fs::create_directories(folder / name, code);
+    if (Result<void> made = makeFolder(folder / name); !made) return made;
   const Result<catalogue::Project> opened = catalogue::Project::open(folder);
   if (!opened) return opened.error();
   if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;

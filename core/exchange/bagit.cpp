@@ -46,8 +46,7 @@ Result<BagWriter> BagWriter::begin(const fs::path& target) {
     return Error::unusable("There is a folder of this name already; choose another name.", target);
   Result<NewFolder> folder = NewFolder::begin(target);
   if (!folder) return folder.error();
-  fs::create_directories(folder->path() / "data", code);
-  if (code) return cannotWrite(target, code.value());
+  if (const Result<void> made = makeFolder(folder->path() / "data"); !made) return made.error();
   return BagWriter(folderNamed(target), std::move(*folder));
 }
 
@@ -75,8 +74,7 @@ Result<BagFile> BagWriter::addFile(const std::string& path, const fs::path& sour
   Result<OpenFile> in = OpenFile::open(source);
   if (!in) return in.error();
   const fs::path to = folder_.path() / "data" / path;
-  std::error_code code;
-  fs::create_directories(to.parent_path(), code);
+  if (const Result<void> made = makeFolder(to.parent_path()); !made) return made.error();
   const File out(std::fopen(to.c_str(), "wbx"));
   if (!out) return cannotWrite(to, errno);
   const Result<Checksum> sum = checksumOf(*in, stop, [&](std::string_view piece) -> Result<void> {

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "base/median.h"
 #include "base/parallel.h"
@@ -38,12 +39,9 @@ class Session {
                                shots[i].file.extension().string();
       shot_of_[name] = i;
       const fs::path link = workspace_ / "images" / name;
-      fs::create_directories(link.parent_path(), failed);
+      if (const Result<void> made = makeFolder(link.parent_path()); !made) return made;
       fs::create_symlink(shots[i].file, link, failed);
-      if (failed)
-        return Error{ErrorCode::CannotWrite,
-                     "COLMAP's workspace cannot be written (" + failed.message() + ").",
-                     workspace_.string()};
+      if (failed) return cannotWrite(link, failed.value());
       if (shots[i].mask_file.empty()) continue;
       if (const Result<void> done = writeMask(shots[i].mask_file, name); !done) return done;
     }
@@ -54,7 +52,7 @@ class Session {
     const std::string database = (workspace_ / "database.db").string();
     const std::string images = (workspace_ / "images").string();
     const fs::path sparse = workspace_ / "sparse";
-    fs::create_directories(sparse);
+    if (const Result<void> made = makeFolder(sparse); !made) return made;
     std::vector<std::string> extract{
         "feature_extractor", "--database_path", database, "--image_path", images,
         "--ImageReader.single_camera_per_folder", "1",

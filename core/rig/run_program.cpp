@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "base/cannot_write.h"
 #include "base/log_file.h"
 #include "rig/colmap_program.h"
 
@@ -97,15 +98,13 @@ std::optional<std::filesystem::path> findProgram(const std::string& name) {
 
 Result<FolderLock> claimWorkspace(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
+  if (const Result<void> made = makeFolder(folder); !made) return made.error();
   Result<FolderLock> held = FolderLock::take(folder);
   if (!held) return held;
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
     if (at->path().filename() != "lock") fs::remove_all(at->path(), failed);
-  if (failed)
-    return Error{ErrorCode::CannotWrite,
-                 "The working folder cannot be written (" + failed.message() + ").",
-                 folder.string()};
+  if (failed) return cannotWrite(folder, failed.value());
   return held;
 }
 

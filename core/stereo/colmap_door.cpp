@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "base/parallel.h"
 #include "rig/colmap_program.h"
@@ -14,13 +15,8 @@ namespace fs = std::filesystem;
 
 // What image_undistorter leaves beside the images: lists of the images and where results go.
 Result<void> writeStereoFolder(const fs::path& workspace, std::size_t views) {
-  std::error_code failed;
   for (const char* name : {"depth_maps", "normal_maps", "consistency_graphs"})
-    fs::create_directories(workspace / "stereo" / name, failed);
-  if (failed)
-    return Error{ErrorCode::CannotWrite,
-                 "The working folder cannot be written (" + failed.message() + ").",
-                 workspace.string()};
+    if (Result<void> made = makeFolder(workspace / "stereo" / name); !made) return made;
   std::string match, fuse;
   for (std::size_t i = 0; i < views; ++i) {
     const std::string name = viewName(i) + ".png\n";

@@ -191,7 +191,6 @@ Sentences sentencesOfRig() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The file is damaged or not as COLMAP writes it; run COLMAP again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Line %1 is not as COLMAP writes it; run COLMAP again."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "COLMAP's workspace cannot be written (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This photograph is posed without its mask."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Without plate.json poses come from COLMAP, which is not installed; "

@@ -6,7 +6,6 @@ namespace ostraka::ui {
 
 Sentences sentencesOfStereo() {
   static constexpr const char* kAll[] = {
-      QT_TRANSLATE_NOOP("ostraka::Error", "The working folder cannot be written (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "This colmap was built without CUDA, which its dense stereo needs; install "
                         "one with CUDA, or use --dense builtin, which needs nothing."),

@@ -9044,16 +9044,6 @@
         <translation>Dieses Projekt stammt von einem älteren Ostraka und kann hier nur gelesen werden; kopieren Sie es in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie es dort.</translation>
     </message>
     <message>
-        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die Kopie des beschädigten Katalogs kann nicht geschrieben werden; schaffen Sie Platz auf diesem Datenträger und reparieren Sie ihn dann noch einmal.</translation>
-    </message>
-    <message>
-        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Der reparierte Katalog kann nicht geschrieben werden; schaffen Sie Platz auf diesem Datenträger und reparieren Sie ihn dann noch einmal. Nichts wurde geändert.</translation>
-    </message>
-    <message>
         <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Katalog ist beschädigt und keine seiner Sicherungen ist vollständig; kopieren Sie eine aus einem Archiv oder von einem anderen Datenträger in den Ordner backups und reparieren Sie ihn dann noch einmal.</translation>

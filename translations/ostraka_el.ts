@@ -9039,16 +9039,6 @@
         <translation>Αυτό το έργο έγινε με παλαιότερο Ostraka και εδώ μπορεί μόνο να διαβαστεί· αντιγράψτε το σε φάκελο όπου μπορείτε να γράψετε και ανοίξτε το εκεί.</translation>
     </message>
     <message>
-        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Το αντίγραφο του κατεστραμμένου καταλόγου δεν γράφεται· ελευθερώστε χώρο σε αυτόν τον δίσκο και επισκευάστε τον ξανά.</translation>
-    </message>
-    <message>
-        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ο επισκευασμένος κατάλογος δεν γράφεται· ελευθερώστε χώρο σε αυτόν τον δίσκο και επισκευάστε τον ξανά. Τίποτα δεν άλλαξε.</translation>
-    </message>
-    <message>
         <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος είναι κατεστραμμένος και κανένα αντίγραφο ασφαλείας του δεν είναι ακέραιο· αντιγράψτε ένα στον φάκελο backups, από αρχειοθήκη ή άλλον δίσκο, και επισκευάστε τον ξανά.</translation>

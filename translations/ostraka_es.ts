@@ -9039,16 +9039,6 @@
         <translation>Este proyecto es de un Ostraka anterior y aquí solo se puede leer; cópielo en una carpeta en la que pueda escribir y ábralo allí.</translation>
     </message>
     <message>
-        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>No se puede escribir la copia del catálogo dañado; libere espacio en este disco y repárelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>No se puede escribir el catálogo reparado; libere espacio en este disco y repárelo de nuevo. No se cambió nada.</translation>
-    </message>
-    <message>
         <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>El catálogo está dañado y ninguna de sus copias de seguridad está íntegra; copie una en la carpeta backups, desde un archivo o desde otro disco, y repárelo de nuevo.</translation>

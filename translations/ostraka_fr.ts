@@ -9039,16 +9039,6 @@
         <translation>Ce projet vient d’une version antérieure d’Ostraka et ne peut être que lu ici ; copiez-le dans un dossier où vous pouvez écrire et ouvrez-le là.</translation>
     </message>
     <message>
-        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>La copie du catalogue endommagé ne peut pas être écrite ; libérez de la place sur ce disque, puis réparez-le à nouveau.</translation>
-    </message>
-    <message>
-        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Le catalogue réparé ne peut pas être écrit ; libérez de la place sur ce disque, puis réparez-le à nouveau. Rien n’a été modifié.</translation>
-    </message>
-    <message>
         <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue est endommagé et aucune de ses sauvegardes n’est entière ; copiez-en une dans le dossier backups, depuis une archive ou un autre disque, puis réparez-le à nouveau.</translation>

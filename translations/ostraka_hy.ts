@@ -9039,16 +9039,6 @@
         <translation>Այս նախագիծը ստեղծվել է ավելի հին Ostraka-ով և այստեղ միայն կարդացվում է. պատճենեք այն մի պանակ, որտեղ կարող եք գրել, և բացեք այնտեղ։</translation>
     </message>
     <message>
-        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Վնասված կատալոգի պատճենը չի գրվում. տեղ ազատեք այս սկավառակում և նորից վերականգնեք։</translation>
-    </message>
-    <message>
-        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Վերականգնված կատալոգը չի գրվում. տեղ ազատեք այս սկավառակում և նորից վերականգնեք։ Ոչինչ չի փոխվել։</translation>
-    </message>
-    <message>
         <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը վնասված է, և դրա ոչ մի պահուստային պատճեն ամբողջական չէ. պատճենեք մեկը backups պանակ՝ արխիվից կամ այլ սկավառակից, և նորից վերականգնեք։</translation>

@@ -8991,16 +8991,6 @@
         <translation>Bu proje daha eski bir Ostraka ile yapılmış ve burada yalnızca okunabilir; yazabildiğiniz bir klasöre kopyalayıp orada açın.</translation>
     </message>
     <message>
-        <source>The copy of the damaged catalogue cannot be written; make room on this disk, then repair it again.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bozuk kataloğun kopyası yazılamıyor; bu diskte yer açıp yeniden onarın.</translation>
-    </message>
-    <message>
-        <source>The repaired catalogue cannot be written; make room on this disk, then repair it again. Nothing was changed.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Onarılan katalog yazılamıyor; bu diskte yer açıp yeniden onarın. Hiçbir şey değiştirilmedi.</translation>
-    </message>
-    <message>
         <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Katalog bozuk ve hiçbir yedeği sağlam değil; bir arşivden ya da başka bir diskten backups klasörüne bir yedek kopyalayıp yeniden onarın.</translation>

@@ -32,6 +32,13 @@ std::vector<Change> changesOf(Database& database, const RepairedRow& row, std::i
   return all;
 }
 
+// False where the change itself is refused. A full disk ends everything.
+template <class Value>
+bool isDone(const Result<Value>& change) {
+  if (!change && change.error().code == ErrorCode::CannotWrite) throw Refused(change.error());
+  return change.has_value();
+}
+
 // Its uuid is what the history says first of a new sherd.
 bool addSherdOfHistory(Catalogue& repaired, std::int64_t row) {
   Database& database = repaired.database();
@@ -52,7 +59,7 @@ bool addSherdOfHistory(Catalogue& repaired, std::int64_t row) {
     database.sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
     searchAnew(database, SherdRow{row});
   });
-  return added.has_value();
+  return isDone(added);
 }
 
 // A column of another table: numbers are stored as such, and nothing as NULL where that may be.
@@ -63,14 +70,11 @@ bool setColumn(Database& database, const RepairedRow& row, const Change& change)
   bool filled = false;
   known >> filled;
   const std::string value = filled ? "?1" : "nullif(?1, '')";
-  return database
-      .inTransaction([&] {
-        database
-            .sql("UPDATE " + row.table + " SET " + change.field + " = " + value + " WHERE row = ?2")
-            .with(change.value, row.row)
-            .run();
-      })
-      .has_value();
+  return isDone(database.inTransaction([&] {
+    database.sql("UPDATE " + row.table + " SET " + change.field + " = " + value + " WHERE row = ?2")
+        .with(change.value, row.row)
+        .run();
+  }));
 }
 
 // A place is named by several fields.
@@ -80,7 +84,7 @@ bool changeTogether(Catalogue& repaired, const RepairedRow& row,
   for (const Change& change : changes)
     fields.push_back({SherdRow{row.row}, change.field, change.value});
   const PersonRow by = changes.empty() ? PersonRow{} : changes.back().by;
-  return repaired.change(fields, {by, "repair", {}}).has_value();
+  return isDone(repaired.change(fields, {by, "repair", {}}));
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <optional>
 #include <vector>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "catalogue/page_checksums.h"
 
@@ -42,22 +44,20 @@ class PageFile {
   bool write(std::uint32_t number, const Page& page) {
     file_.clear();
     file_.seekp(static_cast<std::streamoff>((number - 1) * kPageBytes));
+    errno = 0;
     file_.write(reinterpret_cast<const char*>(page.data()), page.size());
     file_.flush();
+    reason_ = errno;
     pages_ = std::max(pages_, number);
     return file_.good();
   }
-  Error cannotBeWritten() const {
-    return {ErrorCode::CannotWrite,
-            "The copy of the damaged catalogue cannot be written; make room on this disk, then "
-            "repair it again.",
-            path_.string()};
-  }
+  Error cannotBeWritten() const { return cannotWrite(path_, reason_); }
 
  private:
   fs::path path_;
   std::fstream file_;
   std::uint32_t pages_ = 0;
+  int reason_ = 0;  ///< errno of the last write
 };
 
 std::uint32_t pageNumberAt(const Page& page, std::size_t at) {

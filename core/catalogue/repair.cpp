@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "catalogue/backups.h"
 #include "catalogue/database.h"
@@ -65,11 +66,11 @@ class Repair {
     fs::copy_file(file_, copy->path(), fs::copy_options::overwrite_existing, failed);
     if (!failed && fs::exists(file_.string() + kWal))
       fs::copy_file(file_.string() + kWal, copy->path().string() + kWal, failed);
-    if (failed) return cannotWrite();
+    if (failed) return cannotWrite(file_, failed.value());
     progress_.report(0, 4);
     // Pages of before the checksums prove nothing.
-    if (const auto old = lookAtHeader(file_); old && *old == Pages::Plain && isWhole(copy->path()))
-      return report_;
+    if (const auto old = lookAtHeader(file_); old && *old == Pages::Plain)
+      if (const Result<bool> whole = isWhole(copy->path()); whole && *whole) return report_;
     if (Result<void> found = findBackups(); !found) return found.error();
     const Result<PageRepair> pages = repairPages(copy->path(), backups_);
     if (!pages) return pages.error();
@@ -79,7 +80,12 @@ class Repair {
     report_.pages_lost = static_cast<int>(pages->lost.size());
     progress_.report(1, 4);
     if (stop_.stop_requested()) return Error::cancelled();
-    const bool provable = pages->lost.empty() && isWhole(copy->path());
+    bool provable = pages->lost.empty();
+    if (provable) {
+      const Result<bool> whole = isWhole(copy->path());
+      if (!whole) return whole.error();
+      provable = *whole;
+    }
     if (provable && pages->by_bit + pages->by_backup == 0) return report_;
     if (!provable)
       if (Result<void> made = makeFrom(copy->path(), *pages, *fresh); !made) return made.error();
@@ -90,22 +96,22 @@ class Repair {
   }
 
  private:
-  Error cannotWrite() const {
-    return {ErrorCode::CannotWrite,
-            "The repaired catalogue cannot be written; make room on this disk, then repair it "
-            "again. Nothing was changed.",
-            file_.string()};
-  }
-
   Result<Catalogue> opened(const fs::path& file, Database::Mode mode) const {
     Result<std::unique_ptr<Database>> database = Database::open(file, mode);
     if (!database) return database.error();
     return Catalogue(std::move(*database), clock_);
   }
 
-  bool isWhole(const fs::path& file) const {
+  // A disk that takes nothing says nothing of the file.
+  Result<bool> isWhole(const fs::path& file) const {
+    const Result<void> whole = checked(file);
+    if (!whole && whole.error().code == ErrorCode::CannotWrite) return whole.error();
+    return whole.has_value();
+  }
+
+  Result<void> checked(const fs::path& file) const {
     const Result<Catalogue> catalogue = opened(file, Database::Mode::ReadWrite);
-    return catalogue && catalogue->checkIntegrity();
+    return catalogue ? catalogue->checkIntegrity() : catalogue.error();
   }
 
   // The newest first; the first whole one is what rows are taken from.
@@ -140,16 +146,17 @@ class Repair {
         return copied;
     }
     if (Result<void> current = bringUpToDate(base->path()); !current) return current;
-    const bool rows = collect(damaged, pages, base->path(), fresh.path());
-    report_.all_from_backup = !rows;
-    if (!rows) {
+    const Result<bool> rows = collect(damaged, pages, base->path(), fresh.path());
+    if (!rows) return rows.error();
+    report_.all_from_backup = !*rows;
+    if (!*rows) {
       report_.rows.clear();
       Result<Catalogue> source = opened(base->path(), Database::Mode::ReadWrite);
       if (!source) return source.error();
       fs::resize_file(fresh.path(), 0);
       return source->database().door([&] { source->database().copyTo(fresh.path()); });
     }
-    return isWhole(fresh.path()) ? Result<void>() : cannotWrite();
+    return checked(fresh.path());
   }
 
   Result<void> bringUpToDate(const fs::path& file) const {
@@ -160,17 +167,21 @@ class Repair {
   }
 
   // False where the damaged file says nothing that fits together.
-  bool collect(const fs::path& damaged, const PageRepair& pages, const fs::path& base,
-               const fs::path& fresh) {
+  Result<bool> collect(const fs::path& damaged, const PageRepair& pages, const fs::path& base,
+                       const fs::path& fresh) {
     if (static_cast<int>(pages.lost.size()) >= pages.pages) return false;
     if (const Result<bool> schema = takeSchemaPages(damaged, pages, base); !schema || !*schema)
-      return false;
+      return schema;
     const Result<Catalogue> lost = opened(damaged, Database::Mode::ReadWrite);
     Result<Catalogue> backup = opened(base, Database::Mode::ReadWrite);
     if (!lost || !backup || lost->schemaVersion() != backup->schemaVersion()) return false;
     Result<std::unique_ptr<Database>> database = Database::open(fresh, Database::Mode::Create);
-    if (!database || !migrate(**database, migrations(), {})) return false;
-    if (!collectRows(lost->database(), backup->database(), **database, report_)) return false;
+    if (!database) return database.error();
+    if (const Result<void> made = migrate(**database, migrations(), {}); !made) return made.error();
+    if (const Result<void> rows =
+            collectRows(lost->database(), backup->database(), **database, report_);
+        !rows)
+      return notForTheDisk(rows.error());
     Catalogue repaired(std::move(*database), clock_);
     const Result<std::int64_t> last = backup->database().door([&] {
       std::int64_t number = 0;
@@ -178,9 +189,17 @@ class Repair {
       if (row.next()) row >> number;
       return number;
     });
-    if (!last || !replayHistory(repaired, *last, report_)) return false;
+    if (!last) return false;
+    if (const Result<void> replayed = replayHistory(repaired, *last, report_); !replayed)
+      return notForTheDisk(replayed.error());
     nameRows(repaired.database());
     return true;
+  }
+
+  // Rows that do not fit together are taken from the backup; what finds no room is not.
+  static Result<bool> notForTheDisk(const Error& error) {
+    if (error.code == ErrorCode::CannotWrite) return error;
+    return false;
   }
 
   void nameRows(Database& database) {
@@ -214,7 +233,7 @@ class Repair {
       fs::copy_file(wal, report_.damaged.string() + kWal, failed);
       if (!failed) fs::remove(wal, failed);
     }
-    if (failed) return cannotWrite();
+    if (failed) return cannotWrite(report_.damaged, failed.value());
     if (Result<void> synced = syncFile(report_.damaged); !synced) return synced;
     std::error_code ignored;
     fs::remove(file_.string() + "-shm", ignored);

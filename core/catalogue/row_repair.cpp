@@ -82,8 +82,9 @@ class Collecting {
   }
 
  private:
+  // What cannot be written is no damage: everything ends here, instead of passing rows over.
   bool insertRow(const Statement& row) {
-    fresh_.sql(insert_).withRow(row).run();
+    orRefuse(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
     return fresh_.changes() > 0;
   }
 
@@ -209,13 +210,10 @@ void dropWhatPointsAtNothing(Database& fresh, RepairReport& report) {
     const std::string where = " WHERE " + column + " IS NOT NULL AND " + column +
                               " NOT IN (SELECT " + target + " FROM " + parent + ")";
     fitting = numberOf(fresh, "SELECT count(*) FROM " + table + where);
-    bool unset = true;
-    try {
-      fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where);
-    } catch (const SqlFailure&) {
-      unset = false;
-      fresh.script("DELETE FROM " + table + where);
-    }
+    const Result<void> unset =
+        fresh.door([&] { fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where); });
+    if (!unset && unset.error().code == ErrorCode::CannotWrite) throw Refused(unset.error());
+    if (!unset) fresh.script("DELETE FROM " + table + where);
     for (std::int64_t i = 0; i < fitting; ++i)
       report.rows.push_back({table, 0, {}, unset ? column : std::string(), From::Nowhere});
   }

@@ -245,12 +245,6 @@ Sentences sentencesOfCatalogue() {
                         "This project was made with an older Ostraka and can only be read "
                         "here; copy it to a folder that you may write to, and open it there."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The copy of the damaged catalogue cannot be written; make room on "
-                        "this disk, then repair it again."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The repaired catalogue cannot be written; make room on this disk, "
-                        "then repair it again. Nothing was changed."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
                         "The catalogue is damaged, and no backup of it is whole; copy one "
                         "into the folder backups, from an archive or another disk, then "
                         "repair it again."),

@@ -17,12 +17,12 @@ using rig::PlatePrintOptions;
 
 enum class PaperChoice { A4, A3, Whole };
 
+// The PDF last: nobody prints a plate that nothing describes.
 Result<void> writeAll(const std::filesystem::path& output, const PlatePrint& print) {
-  if (Result<void> r = writeFileAtomically(output, formatPdf(print.pages, "Ostraka plate")); !r)
-    return r;
   const std::filesystem::path folder = output.parent_path();
   if (Result<void> r = rig::writePlate(folder / "plate.json", print.plate); !r) return r;
-  return rig::writeBoard(folder / "board.json", print.board);
+  if (Result<void> r = rig::writeBoard(folder / "board.json", print.board); !r) return r;
+  return writeFileAtomically(output, formatPdf(print.pages, "Ostraka plate"));
 }
 
 int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem::path& output,

@@ -139,7 +139,11 @@ Result<Project> Project::create(const fs::path& folder, const ProjectRecord& rec
     return file->become(folder / kFile, PartialFile::Existing::Refused);
   };
   if (const Result<void> made = make(); !made) return undone(made.error());
-  return open(folder, clock);
+  Result<Project> opened = open(folder, clock);
+  if (opened) return opened;
+  // What is said to have failed must not be in the way when it is tried again.
+  for (const char* part : {"-wal", "-shm", ""}) fs::remove((folder / kFile).string() + part, code);
+  return undone(opened.error());
 }
 
 Result<Project> Project::open(const fs::path& folder, const Catalogue::Clock& clock) {

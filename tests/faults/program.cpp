@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/files.h"
 
@@ -44,6 +45,11 @@ Ended waitFor(pid_t program, const fs::path& errors) {
 Ended runProgram(const std::vector<std::string>& arguments, const fs::path& errors,
                  const Environment& environment) {
   return waitFor(startProgram(arguments, errors, environment), errors);
+}
+
+int numberFrom(const char* variable, int usual) {
+  const char* told = std::getenv(variable);
+  return told == nullptr ? usual : std::atoi(told);
 }
 
 std::map<std::string, std::string> digests(const fs::path& folder,

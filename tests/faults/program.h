@@ -23,6 +23,9 @@ Ended waitFor(pid_t program, const std::filesystem::path& errors);
 Ended runProgram(const std::vector<std::string>& arguments, const std::filesystem::path& errors,
                  const Environment& environment = {});
 
+/// What the environment variable says, else the usual.
+int numberFrom(const char* variable, int usual);
+
 /// SHA-256 of all files in the folder by their names; empty where there is none. Files with one of
 /// these names are passed over: they tell seconds.
 std::map<std::string, std::string> digests(const std::filesystem::path& folder,

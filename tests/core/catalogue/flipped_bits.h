@@ -63,6 +63,7 @@ inline Result<std::string> contentOf(const std::filesystem::path& project) {
 
 struct Flips {
   int found = 0, harmless = 0, accepted = 0, restored = 0, not_restored = 0;
+  std::string unlike;  ///< which were accepted or not restored, and why
 };
 
 /// Turns one bit after the other in a project's closed catalogue, by a seed. repaired_of: of the
@@ -77,15 +78,30 @@ inline Flips flipBits(const std::filesystem::path& project, int flips, unsigned 
   QuietProgress quiet;
   for (int i = 0; i < flips; ++i) {
     std::string bytes = whole;
-    bytes[random() % bytes.size()] ^= static_cast<char>(1 << random() % 8);
+    const std::size_t at = random() % bytes.size();
+    const unsigned long bit = random() % 8;
+    bytes[at] ^= static_cast<char>(1 << bit);
     writeBytes(file, bytes);
+    const auto unlike = [&](const std::string& why) {
+      result.unlike +=
+          "byte " + std::to_string(at) + ", bit " + std::to_string(bit) + ": " + why + "\n";
+    };
     const Result<std::string> now = contentOf(project);
     if (now) {
       ++(*now == content ? result.harmless : result.accepted);
+      if (*now != content) unlike("accepted");
     } else if (++result.found % repaired_of == 0) {
-      const bool repaired = repairCatalogue(project, quiet, {}).has_value();
+      const Result<RepairReport> repaired = repairCatalogue(project, quiet, {});
       const Result<std::string> after = contentOf(project);
-      ++(repaired && after && *after == content ? result.restored : result.not_restored);
+      const bool same = repaired && after && *after == content;
+      ++(same ? result.restored : result.not_restored);
+      if (!repaired)
+        unlike(repaired.error().sentence());
+      else if (!after)
+        unlike(after.error().sentence());
+      else if (!same)
+        unlike("repaired to another content, " + std::to_string(repaired->pages_lost) +
+               " pages lost");
       for (const auto& entry : std::filesystem::directory_iterator(project))
         if (entry.path().filename().string().starts_with("catalogue-damaged"))
           std::filesystem::remove(entry.path());

@@ -7789,9 +7789,19 @@
       <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
+      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>

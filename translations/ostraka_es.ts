@@ -7784,9 +7784,19 @@
       <translation>%1 se desplazó unos %2 mm en el anverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
     </message>
     <message>
+      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se desplazó unos %2 mm en el anverso: desde %3 está en otro lugar; fotografíe otra vez este lado.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el reverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se desplazó unos %2 mm en el reverso: desde %3 está en otro lugar; fotografíe otra vez este lado.</translation>
     </message>
     <message>
       <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>

@@ -7784,9 +7784,19 @@
       <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
     </message>
     <message>
+      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de %3 il est ailleurs ; photographiez de nouveau cette face.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de %3 il est ailleurs ; photographiez de nouveau cette face.</translation>
     </message>
     <message>
       <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>

@@ -7784,9 +7784,19 @@
       <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
     </message>
     <message>
+      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>

@@ -7736,9 +7736,19 @@
       <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
+      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
       <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>

@@ -53,6 +53,23 @@ struct Sides {
   std::vector<std::string> doubtful = {};  ///< what was left out and may be a sherd: sentences
 };
 
+// By hand one camera takes a photograph at each of its places, as a turntable has stops.
+std::vector<rig::PosedImage> byStops(std::vector<rig::PosedImage> images, batch::Way way) {
+  if (way != batch::Way::FreeCamera) return images;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    images[i].camera = 0, images[i].stop = static_cast<int>(i);
+  return images;
+}
+
+std::string fromWhen(const Run& run, const std::vector<rig::PosedImage>& images, int stop) {
+  if (run.batch.way == batch::Way::FreeCamera)
+    return "from " + fs::path(images[static_cast<std::size_t>(stop)].file).filename().string() +
+           " on";
+  char text[48];
+  std::snprintf(text, sizeof text, "from stop %d on (pos%02d)", stop + 1, stop);
+  return text;
+}
+
 // Whether sherds lay still while a side was photographed. Nothing mends a push: what follows goes
 // on with what both halves agree on, and a person hears of it.
 Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
@@ -60,16 +77,16 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
   const auto work = [&](const fs::path&) -> Result<StageNotes> {
     StageNotes notes;
     notes.figures["moved"] = ordered_json::array();
+    const std::vector<rig::PosedImage> images = byStops(poses.value.of(side), run.batch.way);
     const std::vector<MovedSherd> moved =
-        findMoved(poses.value.of(side), found.masks.value, found.scans.value,
-                  {.threads = run.options.threads});
+        findMoved(images, found.masks.value, found.scans.value, {.threads = run.options.threads});
     for (const MovedSherd& sherd : moved) {
-      char text[240];
-      std::snprintf(text, sizeof text,
-                    "%s was pushed by about %.0f mm on the %s side: from stop %d on (pos%02d) it "
-                    "lies elsewhere; photograph this side again.",
-                    sherd.scan.c_str(), sherd.by_mm, batch::name(side), sherd.from_stop + 1,
-                    sherd.from_stop);
+      char by[16];
+      std::snprintf(by, sizeof by, "%.0f", sherd.by_mm);
+      const std::string text = sherd.scan + " was pushed by about " + by + " mm on the " +
+                               batch::name(side) +
+                               " side: " + fromWhen(run, images, sherd.from_stop) +
+                               " it lies elsewhere; photograph this side again.";
       notes.warnings.emplace_back(text);
       run.progress.note(NoteLevel::Warning, text);
       notes.figures["moved"].push_back(
@@ -119,8 +136,7 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   found.masks = std::move(*masks);
   found.scans = std::move(*scans);
   found.doubtful = found.scans.record.notes.figures.value("doubtful", std::vector<std::string>());
-  if (!run.batch.plate || run.batch.way == batch::Way::FreeCamera)
-    return found;  // without a turntable there are no stops to compare
+  if (!run.batch.plate) return found;  // nothing says where a sherd lay before
   const Result<StageRecord> still = stillnessStage(run, side, poses, found);
   if (!still) return still.error();
   stages.push_back({"stillness, " + name, *still});

@@ -247,7 +247,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   if (options.images.size() != options.masks.size())
-    return Error{ErrorCode::UnusableInput, "Each photograph of a side needs one mask.", {}};
+    return Error{ErrorCode::UnusableInput, "images and masks must be of one number.", {}};
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
     return Error{ErrorCode::UnusableInput, "The cloud of the plate has no normals.", {}};
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));

@@ -138,6 +138,12 @@ Sentences sentencesOfPipeline() {
                         "%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it "
                         "lies elsewhere; photograph this side again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "%1 was pushed by about %2 mm on the front side: from %3 on it lies "
+                        "elsewhere; photograph this side again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "%1 was pushed by about %2 mm on the back side: from %3 on it lies "
+                        "elsewhere; photograph this side again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "The output folder lies in the batch folder, where nothing is ever "
                         "written; choose one beside it."),
       QT_TRANSLATE_NOOP("ostraka::Error",

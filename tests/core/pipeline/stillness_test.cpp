@@ -89,6 +89,18 @@ TEST_F(Stillness, NamesTheSherdThatWasPushedTheStopAndHowFar) {
   EXPECT_NEAR(moved[0].by_mm, 3.0, 0.2);  // a pixel is 0.5 mm
 }
 
+TEST_F(Stillness, NamesThePhotographFromWhichASherdLiesElsewhereByHand) {
+  shoot({2.4, -1.8}, 5);
+  // One camera, now lower, now higher, one photograph after the other.
+  for (std::size_t i = 0; i < images_.size(); ++i)
+    images_[i].camera = 0, images_[i].stop = static_cast<int>(i);
+  const auto moved = findMoved(images_, masks_, scans_, {.threads = 1});
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_EQ(moved[0].scan, "f002");
+  EXPECT_EQ(moved[0].from_stop, 10);  // the first photograph of the sixth stop
+  EXPECT_NEAR(moved[0].by_mm, 3.0, 0.3);
+}
+
 TEST_F(Stillness, SaysNothingOfAPushTooSmallToMatter) {
   shoot({0.4, 0.3}, 4);
   EXPECT_TRUE(findMoved(images_, masks_, scans_, {.threads = 1}).empty());

@@ -198,8 +198,9 @@ std::string csvLine(const std::vector<std::string>& values) {
   std::string line;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i > 0) line += ',';
-    // A row of one empty value would be an empty line.
-    const bool quote = values[i].find_first_of(",\"\r\n") != std::string::npos ||
+    // A row of one empty value would be an empty line, and a column's name full of semicolons would
+    // be taken for many columns.
+    const bool quote = values[i].find_first_of(",;\t\"\r\n") != std::string::npos ||
                        (values.size() == 1 && values[i].empty());
     if (!quote) {
       line += values[i];

@@ -22,7 +22,7 @@ struct CsvTable {
 /// 1 MB a field. Errors name the line.
 Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where);
 
-/// Comma, CRLF; values with a comma, a quotation mark or a line end are quoted.
+/// Comma, CRLF; values with any separator, a quotation mark or a line end are quoted.
 std::string csvLine(const std::vector<std::string>& values);
 
 /// A spreadsheet takes a text that begins with = + - @ (or tab, CR, LF) for a formula: such texts,

@@ -26,7 +26,6 @@ void table(std::string_view bytes) {
   // A table of one empty column is written as an empty line, which no reader can tell from none.
   if (read->columns.size() < 2 || read->separator != ',') return;
   const Result<exchange::CsvTable> again = exchange::parseCsv(written, "again.csv");
-  if (again && again->separator != ',') return;  // a name of a column is full of semicolons
   must(again.has_value() && again->columns == read->columns &&
            again->rows.size() == read->rows.size(),
        "what was read can be written and read");

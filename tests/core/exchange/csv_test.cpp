@@ -98,6 +98,14 @@ TEST(Csv, ANumberWithACommaBeforeThreeDigitsCanBeReadInTwoWays) {
     EXPECT_TRUE(readsOneWay(one)) << one;
 }
 
+TEST(Csv, AColumnNamedWithSemicolonsStaysOne) {
+  const std::vector<std::string> columns = {"ware; as Hayes; 1972", "no\tte", "part"};
+  const Result<CsvTable> table = parseCsv(csvLine(columns) + csvLine({"a", "b", "c"}), "t");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->columns, columns);
+  EXPECT_EQ(table->rows[0].values, (std::vector<std::string>{"a", "b", "c"}));
+}
+
 TEST(Csv, AnyTextSurvivesWritingAndReading) {
   std::mt19937 random(5);
   const std::string letters = "=+-@'\",;\r\n\t aé1";

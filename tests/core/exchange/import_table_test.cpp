@@ -221,7 +221,7 @@ TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
   EXPECT_THAT(*text, testing::HasSubstr(",32.833,21.063,"));
   EXPECT_THAT(*text, testing::HasSubstr(",15201,"));
   EXPECT_THAT(*text, testing::HasSubstr(",measured_by_hand,"));
-  EXPECT_THAT(*text, testing::HasSubstr(",weight_g; width_mm,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",\"weight_g; width_mm\","));
   std::string with_commas = *text;  // as a French spreadsheet saves it
   with_commas.replace(with_commas.find(",32.833,"), 8, ",\"32,833\",");
   for (const std::string& table : {*text, with_commas}) {

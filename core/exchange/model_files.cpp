@@ -50,6 +50,18 @@ void append(std::string& out, std::uint32_t value) {
 }
 
 constexpr std::string_view kPlyDoubt = "comment measures in doubt: ";
+// Where the label stands: objects, or nothing yet.
+bool takesLabel(const ordered_json& model) {
+  const auto object = [](const ordered_json& parent, const char* name) {
+    return !parent.contains(name) || parent[name].is_object();
+  };
+  if (!model.is_object() || !object(model, "asset") || !model.contains("nodes")) return false;
+  const ordered_json& nodes = model["nodes"];
+  if (!nodes.is_array() || nodes.empty() || !nodes[0].is_object()) return false;
+  if (!object(nodes[0], "extras")) return false;
+  return !nodes[0].contains("extras") || object(nodes[0]["extras"], "ostraka");
+}
+
 constexpr std::uint32_t kGlb = 0x46546C67, kJson = 0x4E4F534A;
 
 }  // namespace
@@ -81,9 +93,7 @@ Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
   Result<ordered_json> parsed = parseOrderedJson(glb.substr(20, size), where);
   if (!parsed) return parsed.error();
   ordered_json json = std::move(*parsed);
-  if (!json.is_object() || !json.contains("nodes") || !json["nodes"].is_array() ||
-      json["nodes"].empty() || !json["nodes"][0].is_object())
-    return no_glb;
+  if (!takesLabel(json)) return no_glb;
   if (!label.licence.empty()) json["asset"]["copyright"] = label.licence;
   json["asset"]["generator"] = label.program;
   ordered_json& extras = json["nodes"][0]["extras"]["ostraka"];

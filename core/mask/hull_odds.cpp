@@ -8,6 +8,7 @@ namespace ostraka::mask {
 namespace {
 
 constexpr float kSlackVoxels = 1;  // a hull's outermost voxel says nothing
+// As much as a colour that is sure by itself says; how far it reaches, edges settle.
 constexpr double kMostHullOdds = 4, kPriorSamples = 10;
 constexpr float kSureOdds = 3;
 
@@ -15,15 +16,21 @@ std::size_t stepOf(float voxels, std::size_t steps) {
   return static_cast<std::size_t>(std::clamp(2 * voxels, 0.F, static_cast<float>(steps - 1)));
 }
 
+cv::Mat1f oddsOf(const std::array<float, 12>& steps, const cv::Mat1f& voxels, cv::Size size) {
+  cv::Mat1f odds;
+  cv::resize(voxels, odds, size, 0, 0, cv::INTER_LINEAR);
+  for (float& value : odds) value = value > kSlackVoxels ? steps[stepOf(value, steps.size())] : 0.F;
+  return odds;
+}
+
 }  // namespace
 
-void HullOdds::addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels, float times) const {
-  cv::Mat1f full;
-  cv::resize(voxels, full, log_odds.size(), 0, 0, cv::INTER_LINEAR);
-  for (int y = 0; y < full.rows; ++y)
-    for (int x = 0; x < full.cols; ++x)
-      if (full(y, x) > kSlackVoxels)
-        log_odds(y, x) += times * steps[stepOf(full(y, x), steps.size())];
+void HullOdds::addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels) const {
+  log_odds += oddsOf(steps, voxels, log_odds.size());
+}
+
+cv::Mat1f HullOdds::without(const cv::Mat1f& log_odds, const cv::Mat1f& voxels) const {
+  return log_odds - oddsOf(steps, voxels, log_odds.size());
 }
 
 HullOdds learnHullOdds(std::span<const HullSight> sights, int reduction) {

@@ -17,8 +17,10 @@ struct HullSight {
 /// voxel or two too wide, more so with few photographs.
 struct HullOdds {
   std::array<float, 12> steps{};
-  /// Adds them, so many times, to log odds of a photograph's own size.
-  void addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels, float times = 1) const;
+  /// Adds them to log odds of a photograph's own size.
+  void addTo(cv::Mat1f& log_odds, const cv::Mat1f& voxels) const;
+  /// Log odds as they were before.
+  cv::Mat1f without(const cv::Mat1f& log_odds, const cv::Mat1f& voxels) const;
 };
 
 /// Learnt from the samples of all views that are sure by themselves, as sherd or as lit plate: a

@@ -9,7 +9,7 @@ namespace ostraka::scan {
 namespace {
 
 constexpr std::size_t kSamples = 200;  // of a piece's points
-constexpr double kHeld = 0.8;          // of the samples in a picture: the piece is in the outline
+constexpr double kHeld = 0.8;          // of the samples in a picture, which shows half of them
 constexpr double kNearlyAll = 0.95;    // of the photographs that show both; a spoilt mask may miss
 constexpr std::size_t kFewestViews = 3;
 
@@ -17,8 +17,8 @@ constexpr std::size_t kFewestViews = 3;
 int outlineOf(const PointCloud& piece, const rig::PosedImage& image, const cv::Mat1i& labels) {
   const std::size_t step = std::max<std::size_t>(1, piece.size() / kSamples);
   std::unordered_map<int, int> votes;
-  int seen = 0;
-  for (std::size_t i = 0; i < piece.size(); i += step) {
+  int seen = 0, all = 0;
+  for (std::size_t i = 0; i < piece.size(); i += step, ++all) {
     const Eigen::Vector3d q = image.camera_from_plate * piece.points[i].cast<double>();
     if (q.z() <= 0) continue;
     const Eigen::Vector2d p = image.intrinsics.project(q);
@@ -27,6 +27,7 @@ int outlineOf(const PointCloud& piece, const rig::PosedImage& image, const cv::M
     ++seen;
     ++votes[labels(y, x)];
   }
+  if (2 * seen < all) return 0;
   for (const auto& [label, count] : votes)
     if (label > 0 && count >= kHeld * seen) return label;
   return 0;

@@ -195,24 +195,42 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
   return false;
 }
 
-// Pieces of one thing become one; its crumbs, which stand for noise within its outline, fly.
+// Whether a piece lies on or under another, seen from above.
+bool isWithin(const PointCloud& piece, const PointCloud& thing) {
+  constexpr double kCell_mm = 1, kMost = 0.9;
+  std::vector<Eigen::Vector2d> points;
+  for (const Eigen::Vector3f& p : thing.points) points.push_back(p.head<2>().cast<double>());
+  const Footprint footprint(points, kCell_mm);
+  const auto held = std::count_if(piece.points.begin(), piece.points.end(), [&](const auto& p) {
+    return footprint.depth(p.template head<2>().template cast<double>()) > 0;
+  });
+  return static_cast<double>(held) >= kMost * static_cast<double>(piece.size());
+}
+
+// Pieces of one thing become one. A crumb on or under its thing is noise; one beside it may be a
+// sherd behind which no photograph looks, and is reported as any other.
 std::vector<PointCloud> joinedByOutlines(const PointCloud& cloud,
-                                         std::vector<std::vector<int>> pieces,
+                                         const std::vector<std::vector<int>>& pieces,
                                          const SplitOptions& options, std::size_t& flying) {
-  std::vector<PointCloud> apart;
-  for (const std::vector<int>& piece : pieces) apart.push_back(subset(cloud, piece));
-  const std::vector<std::size_t> thing = thingsOf(apart, options.images, options.masks);
+  std::vector<PointCloud> whole, left;
+  for (const std::vector<int>& piece : pieces) whole.push_back(subset(cloud, piece));
+  const std::vector<std::size_t> thing = thingsOf(whole, options.images, options.masks);
+  std::vector<std::vector<int>> joined = pieces;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::vector<int>& home = joined[thing[i]];
     if (thing[i] == i) continue;
-    if (isSmall(apart[i], options))
+    if (!isSmall(whole[i], options))
+      home.insert(home.end(), pieces[i].begin(), pieces[i].end());
+    else if (isWithin(whole[i], whole[thing[i]]))
       flying += pieces[i].size();
     else
-      pieces[thing[i]].insert(pieces[thing[i]].end(), pieces[i].begin(), pieces[i].end());
+      left.push_back(whole[i]);
   }
-  std::vector<PointCloud> whole;
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (thing[i] == i) whole.push_back(subset(cloud, pieces[i]));
-  return whole;
+    if (thing[i] == i)
+      left.push_back(joined[i].size() == pieces[i].size() ? std::move(whole[i])
+                                                          : subset(cloud, joined[i]));
+  return left;
 }
 
 // One sherd, or several that touch: what was cut is looked at again, for three may lie in a row.
@@ -240,14 +258,14 @@ Result<void> SplitOptions::check() const {
   if (!(gap_mm > 0)) return Error{ErrorCode::UnusableInput, "gap_mm must be above 0.", {}};
   if (!(touching.neck_share >= 0 && touching.neck_share < 1))
     return Error{ErrorCode::UnusableInput, "neck_share must lie in [0, 1).", {}};
+  if (images.size() != masks.size())
+    return Error{ErrorCode::UnusableInput, "images and masks must be of one number.", {}};
   return {};
 }
 
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
-  if (options.images.size() != options.masks.size())
-    return Error{ErrorCode::UnusableInput, "images and masks must be of one number.", {}};
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
     return Error{ErrorCode::UnusableInput, "The cloud of the plate has no normals.", {}};
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));

@@ -111,6 +111,31 @@ std::optional<Eigen::Vector2d> meetingPlace(const cv::Mat1i& parts, int a, int b
   return sum / static_cast<double>(seam.size());
 }
 
+// Where a part comes nearest to any other.
+Eigen::Vector2d nearestPlace(const cv::Mat1i& parts, int own) {
+  cv::Mat1f away;
+  cv::distanceTransform((parts == 0) | (parts == own), away, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::Point nearest;
+  cv::minMaxLoc(away, nullptr, nullptr, &nearest, nullptr, parts == own);
+  return {nearest.x + 0.5, nearest.y + 0.5};
+}
+
+// One for each two parts that meet. Parts of one outline need not meet in what stereo found.
+std::vector<Neck> necksOf(const Cut& cut, const Plan& plan) {
+  std::vector<Neck> necks;
+  const auto add = [&](const Eigen::Vector2d& cells) {
+    necks.push_back({plan.origin + cells * kPlanCell_mm, 2 * cut.half_neck_mm});
+  };
+  for (std::size_t j = 1; j < cut.cores.size(); ++j) {
+    const std::size_t before = necks.size();
+    for (std::size_t i = 0; i < j; ++i)
+      if (const auto cells = meetingPlace(cut.parts, cut.cores[i].number, cut.cores[j].number))
+        add(*cells);
+    if (necks.size() == before) add(nearestPlace(cut.parts, cut.cores[j].number));
+  }
+  return necks;
+}
+
 }  // namespace
 
 TouchingParts cutTouching(const PointCloud& piece, const TouchingOptions& options) {
@@ -130,10 +155,7 @@ TouchingParts cutTouching(const PointCloud& piece, const TouchingOptions& option
     if (holds_points) ++found.count;
   }
   if (found.count < 2) return whole;
-  for (std::size_t i = 0; i < cut->cores.size(); ++i)
-    for (std::size_t j = i + 1; j < cut->cores.size(); ++j)
-      if (const auto cells = meetingPlace(cut->parts, cut->cores[i].number, cut->cores[j].number))
-        found.necks.push_back({plan.origin + *cells * kPlanCell_mm, 2 * cut->half_neck_mm});
+  found.necks = necksOf(*cut, plan);
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "scan/split.h"
+#include "simulated_rig.h"
 #include "slabs.h"
 
 namespace ostraka::scan {
@@ -18,20 +19,9 @@ struct AllAround {
 
   explicit AllAround(const PointCloud& things) {
     for (int k = 0; k < 12; ++k) {
-      const double angle = 2 * M_PI * k / 12;
-      const Eigen::Vector3d centre(400 * std::cos(angle), 400 * std::sin(angle), 400);
       rig::PosedImage image;
-      image.intrinsics.width = 600;
-      image.intrinsics.height = 400;
-      image.intrinsics.fx = image.intrinsics.fy = 1000;
-      image.intrinsics.cx = 300;
-      image.intrinsics.cy = 200;
-      const Eigen::Vector3d z = -centre.normalized();
-      const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized();
-      Eigen::Matrix3d turn;
-      turn << x.transpose(), z.cross(x).transpose(), z.transpose();
-      image.camera_from_plate.linear() = turn;
-      image.camera_from_plate.translation() = -turn * centre;
+      image.intrinsics = {600, 400, 1000, 1000, 300, 200, {}};
+      image.camera_from_plate = rig::lookingDown(M_PI / 4, 2 * M_PI * k / 12);
       cv::Mat1b mask(400, 600, uchar{0});
       for (const Eigen::Vector3f& p : things.points) {
         const Eigen::Vector2d at = image.project(p.cast<double>());
@@ -99,6 +89,38 @@ TEST(Outlines, WhatIsCutInTheMiddleIsSaidToTouch) {
   const auto split = splitScans(withoutItsMiddle(whole), batch::Side::Front, options, quiet);
   ASSERT_TRUE(split.has_value());
   EXPECT_EQ(split->scans.size(), 2u);
+  ASSERT_EQ(split->warnings.size(), 1u);
+  EXPECT_EQ(split->warnings[0].find("Two sherds touch at x 4, y "), 0u) << split->warnings[0];
+}
+
+TEST(Outlines, ACrumbBesideASherdIsSaidAndOneUnderItIsNoise) {
+  // A sherd of 8 mm that touches a large one shows within its outline in all photographs.
+  PointCloud table = test::box(-30, -20, 60, 40, 30), beside = test::box(32, -4, 6, 6, 6);
+  PointCloud masked = table;
+  test::append(masked, test::box(28, -4, 10, 6, 6));
+  PointCloud cap;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (table.points[i].z() > 20) {
+      cap.points.push_back(table.points[i]);
+      cap.normals.push_back(table.normals[i]);
+    }
+  const PointCloud under = test::box(-3, -3, 6, 6, 6);
+  const AllAround around(masked);
+  SplitOptions options;
+  options.images = around.images;
+  options.masks = around.masks;
+  QuietProgress quiet;
+  for (const bool crumb : {true, false}) {
+    PointCloud found = cap;
+    test::append(found, crumb ? beside : under);
+    const auto split = splitScans(found, batch::Side::Front, options, quiet);
+    ASSERT_EQ(split->scans.size(), 1u);
+    EXPECT_EQ(split->scans[0].cloud.size(), cap.size());
+    ASSERT_EQ(split->warnings.size(), crumb ? 1u : 0u);
+    if (crumb) {
+      EXPECT_EQ(split->warnings[0].find("A crumb of 8 mm at x 35"), 0u) << split->warnings[0];
+    }
+  }
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ void append(std::string& out, std::uint32_t value) {
 }
 
 constexpr std::string_view kPlyDoubt = "comment measures in doubt: ";
+
 // Where the label stands: objects, or nothing yet.
 bool takesLabel(const ordered_json& model) {
   const auto object = [](const ordered_json& parent, const char* name) {

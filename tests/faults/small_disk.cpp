@@ -49,6 +49,11 @@ bool makes(int flags) {
   return (flags & O_CREAT) != 0;
 }
 
+// Of the third argument, which is there only where a file is made.
+mode_t modeOf(int flags, va_list rest) {
+  return makes(flags) ? va_arg(rest, mode_t) : 0;
+}
+
 // The C library writes its streams without asking anybody: they count when they are filled.
 bool hasRoom(std::FILE* stream) {
   return hasRoom(::fileno(stream));
@@ -117,28 +122,16 @@ int mkdirat(int folder, const char* name, mode_t mode) {
 
 int open(const char* path, int flags, ...) {
   static auto* const next = following<int(const char*, int, ...)>("open");
-  mode_t mode = 0;
-  if (makes(flags)) {
-    va_list rest;
-    va_start(rest, flags);
-    mode = va_arg(rest, mode_t);
-    va_end(rest);
-  }
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = modeOf(flags, rest);
+  va_end(rest);
   struct stat there {};
   if (makes(flags) && ::stat(path, &there) != 0 && !hasRoom(path)) return -1;
   return next(path, flags, mode);
 }
 
-int open64(const char* path, int flags, ...) {
-  mode_t mode = 0;
-  if (makes(flags)) {
-    va_list rest;
-    va_start(rest, flags);
-    mode = va_arg(rest, mode_t);
-    va_end(rest);
-  }
-  return open(path, flags, mode);
-}
+int open64(const char* path, int flags, ...) __attribute__((alias("open")));
 
 FILE* fopen64(const char* path, const char* mode) {
   static auto* const next = following<FILE*(const char*, const char*)>("fopen64");
@@ -168,28 +161,16 @@ int link(const char* from, const char* to) {
 
 int openat(int folder, const char* name, int flags, ...) {
   static auto* const next = following<int(int, const char*, int, ...)>("openat");
-  mode_t mode = 0;
-  if (makes(flags)) {
-    va_list rest;
-    va_start(rest, flags);
-    mode = va_arg(rest, mode_t);
-    va_end(rest);
-  }
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = modeOf(flags, rest);
+  va_end(rest);
   struct stat there {};
   const bool fresh = makes(flags) && ::fstatat(folder, name, &there, 0) != 0;
   if (fresh && !(name[0] == '/' ? hasRoom(name) : hasRoom(folder))) return -1;
   return next(folder, name, flags, mode);
 }
 
-int openat64(int folder, const char* name, int flags, ...) {
-  mode_t mode = 0;
-  if (makes(flags)) {
-    va_list rest;
-    va_start(rest, flags);
-    mode = va_arg(rest, mode_t);
-    va_end(rest);
-  }
-  return openat(folder, name, flags, mode);
-}
+int openat64(int folder, const char* name, int flags, ...) __attribute__((alias("openat")));
 
 }  // extern "C"

@@ -19,9 +19,12 @@ constexpr sqlite3_int64 kWalHeader = 32, kFrameHeader = 24;
 constexpr sqlite3_int64 kFrame = kFrameHeader + static_cast<sqlite3_int64>(kPageBytes);
 constexpr int kFrameSummed = 8, kFrameChecksum = 16, kHeaderChecksum = 24;
 
-// A step that loses nothing: for each word another result, for each state another one.
+// A step that loses nothing: for each word another result, for each state another one. No single
+// bit becomes a single bit: the product alone leaves the top bit one, and in the next word there
+// is a bit that makes it undone.
 std::uint64_t stirred(std::uint64_t state, std::uint64_t word) {
-  return std::rotl((state ^ word) * 0x9E3779B97F4A7C15u, 29);
+  const std::uint64_t product = (state ^ word) * 0x9E3779B97F4A7C15u;
+  return std::rotl(product ^ (product >> 32), 29);
 }
 
 std::uint64_t wordAt(const unsigned char* page, std::size_t word) {
@@ -194,7 +197,8 @@ std::uint64_t pageChecksum(const unsigned char* page, std::uint32_t number) {
       sums[lane] = stirred(sums[lane], wordAt(page, word + lane));
   for (; word < kSummed / 8; ++word) sums[0] = stirred(sums[0], wordAt(page, word));
   std::uint64_t all = sums[0];
-  for (std::size_t lane = 1; lane < 4; ++lane) all = stirred(all, sums[lane]);
+  // Stirred once more, since the same change in two sums must not be the same in all.
+  for (std::size_t lane = 1; lane < 4; ++lane) all = stirred(all, stirred(sums[lane], lane));
   return stirred(all ^ (all >> 32), kPageBytes);
 }
 

@@ -65,23 +65,31 @@ std::uint32_t pageNumberAt(const Page& page, std::size_t at) {
          std::uint32_t{page[at + 2]} << 8 | page[at + 3];
 }
 
-// The checksum has 64 bits and a page has 2^15: no second page with one bit changed fits it.
+// The one bit whose turning makes the page what its checksum says. Where two do, neither is proven.
 bool turnBackOneBit(Page& page, std::uint32_t number) {
   const std::uint64_t wanted = storedChecksum(page.data());
   if (std::all_of(page.begin(), page.end(), [](unsigned char byte) { return byte == 0; }))
     return false;  // never written: no page is one bit from that
-  const std::uint64_t wrong = wanted ^ pageChecksum(page.data(), number);
-  if ((wrong & (wrong - 1)) == 0) {  // a bit of the checksum itself
-    storeChecksum(page.data(), number);
-    return true;
+  std::optional<std::size_t> found;
+  const auto turn = [&page](std::size_t bit) {
+    page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+  };
+  for (std::size_t bit = 0; bit < 8 * (kPageBytes - kReservedBytes); ++bit) {
+    turn(bit);
+    const bool fits = pageChecksum(page.data(), number) == wanted;
+    turn(bit);
+    if (!fits) continue;
+    if (found) return false;
+    found = bit;
   }
-  for (std::size_t i = 0; i < kPageBytes - kReservedBytes; ++i)
-    for (int bit = 0; bit < 8; ++bit) {
-      page[i] ^= static_cast<unsigned char>(1 << bit);
-      if (pageChecksum(page.data(), number) == wanted) return true;
-      page[i] ^= static_cast<unsigned char>(1 << bit);
-    }
-  return false;
+  const std::uint64_t wrong = wanted ^ pageChecksum(page.data(), number);
+  const bool of_the_checksum = (wrong & (wrong - 1)) == 0;
+  if (of_the_checksum == found.has_value()) return false;
+  if (found)
+    turn(*found);
+  else
+    storeChecksum(page.data(), number);
+  return true;
 }
 
 // The root of the schema and, where it has inner cells, the leaves below it.

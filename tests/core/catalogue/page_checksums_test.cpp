@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <set>
 #include <vector>
 
 #include "catalogue/file_header.h"
@@ -79,6 +80,23 @@ TEST_F(PageChecksums, AreNotThoseOfAnotherPageOrOfAnEmptyOne) {
   storeChecksum(page.data(), 5);
   EXPECT_TRUE(isWholePage(page.data(), 5));
   EXPECT_FALSE(isWholePage(page.data(), 6)) << "written to the wrong place";
+}
+
+// A repair turns back the one bit that fits, so no two may fit.
+TEST_F(PageChecksums, AreOthersForEachFlippedBit) {
+  std::mt19937_64 random(3);
+  for (std::uint32_t number = 1; number <= 12; ++number) {
+    std::vector<unsigned char> page(kPageBytes, 0);
+    for (std::size_t i = 0; number > 1 && i < kPageBytes - kReservedBytes; ++i)
+      page[i] = static_cast<unsigned char>(random());
+    std::set<std::uint64_t> sums = {pageChecksum(page.data(), number)};
+    for (std::size_t bit = 0; bit < 8 * (kPageBytes - kReservedBytes); ++bit) {
+      page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+      sums.insert(pageChecksum(page.data(), number));
+      page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+    }
+    EXPECT_EQ(sums.size(), 1 + 8 * (kPageBytes - kReservedBytes)) << "page " << number;
+  }
 }
 
 TEST_F(PageChecksums, NoFlippedBitIsAcceptedWithAnotherContent) {

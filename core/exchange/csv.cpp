@@ -81,6 +81,13 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   return text;
 }
 
+// Some programs quote the first name together with the mark of the file.
+std::string columnNamed(std::string_view written) {
+  std::string name = catalogue::trimmed(written);
+  while (name.starts_with(kBom)) name = catalogue::trimmed(name.substr(kBom.size()));
+  return name;
+}
+
 // Of the three, the one that the header has most of, outside quotation marks.
 char separatorOf(std::string_view text) {
   int counts[3] = {0, 0, 0};
@@ -188,7 +195,7 @@ Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
   if (rows->empty())
     return Error::unusable("The table is empty; its first line must name the columns.", where);
   for (const std::string& column : rows->front().values)
-    table.columns.push_back(catalogue::trimmed(column));
+    table.columns.push_back(columnNamed(column));
   rows->erase(rows->begin());
   table.rows = std::move(*rows);
   return table;

@@ -98,6 +98,12 @@ TEST(Csv, ANumberWithACommaBeforeThreeDigitsCanBeReadInTwoWays) {
     EXPECT_TRUE(readsOneWay(one)) << one;
 }
 
+TEST(Csv, AMarkInsideTheFirstQuotationIsNoPartOfTheName) {
+  const Result<CsvTable> table = parseCsv("\"\xEF\xBB\xBFnumber\",part\r\n1,rim\r\n", "t");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->columns, (std::vector<std::string>{"number", "part"}));
+}
+
 TEST(Csv, AColumnNamedWithSemicolonsStaysOne) {
   const std::vector<std::string> columns = {"ware; as Hayes; 1972", "no\tte", "part"};
   const Result<CsvTable> table = parseCsv(csvLine(columns) + csvLine({"a", "b", "c"}), "t");

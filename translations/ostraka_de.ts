@@ -7784,6 +7784,11 @@
       <translation>Andere Programme schließen oder einen Entwurf berechnen.</translation>
     </message>
     <message>
+      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: nicht von dort aufgenommen, wo die Kamera stand, während sich die Platte drehte; das Foto wird ausgelassen.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>

@@ -7779,6 +7779,11 @@
       <translation>Κλείστε άλλα προγράμματα, ή υπολογίστε ένα προσχέδιο.</translation>
     </message>
     <message>
+      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: δεν λήφθηκε από τη θέση όπου στεκόταν η κάμερα ενώ περιστρεφόταν ο δίσκος· παραλείπεται.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στη μπροστινή όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>

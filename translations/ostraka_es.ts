@@ -7779,6 +7779,11 @@
       <translation>Cierre otros programas, o calcule un borrador.</translation>
     </message>
     <message>
+      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: no se tomó desde donde estaba la cámara mientras giraba el plato; se deja fuera.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el anverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>

@@ -7779,6 +7779,11 @@
       <translation>Fermez d’autres programmes, ou calculez une ébauche.</translation>
     </message>
     <message>
+      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : cette photographie n’a pas été prise de l’endroit où se trouvait l’appareil pendant que le plateau tournait ; elle est laissée de côté.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>

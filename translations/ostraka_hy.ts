@@ -7779,6 +7779,11 @@
       <translation>Փակեք այլ ծրագրեր կամ հաշվարկեք սևագիր։</translation>
     </message>
     <message>
+      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. լուսանկարված չէ այնտեղից, որտեղ կանգնած էր տեսախցիկը սկուտեղի պտտվելիս. այն չի օգտագործվում։</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>

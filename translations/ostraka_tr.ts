@@ -7731,6 +7731,11 @@
       <translation>Başka programları kapatın ya da bir taslak hesaplayın.</translation>
     </message>
     <message>
+      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: tabla dönerken kameranın durduğu yerden çekilmemiş; kullanılmadı.</translation>
+    </message>
+    <message>
       <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>

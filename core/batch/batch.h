@@ -42,6 +42,7 @@ struct Marker {
 struct Plate {
   std::string dictionary;  ///< OpenCV's name, as DICT_4X4_100
   double diameter_mm = 0;  ///< not in plate.json: of the circle through the farthest marker corner
+  bool round = false;      ///< plate.json states a diameter and no sheet: nothing lies beyond it
   /// A printed sheet in place of a round plate: the paper's extent about the origin, mm ("sheet" of
   /// plate.json, or asSheet).
   std::optional<Eigen::AlignedBox2d> sheet;
@@ -105,7 +106,8 @@ Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOpti
 Result<Plate> readPlate(const std::filesystem::path& file);
 /// The same for photographs by hand, which lie over a sheet whatever plate.json says: without
 /// "sheet" the paper is taken around the markers, with as much margin as there is between them, and
-/// the frame moved into its middle, since files of others count from a corner.
+/// the frame moved into its middle, since files of others count from a corner. A round plate is as
+/// wide as it says, about its own origin.
 Plate asSheet(Plate plate);
 Result<Board> readBoard(const std::filesystem::path& file);
 /// {"unit":"mm","lengths":[{"side":"front","length":50,"ends":[[{"file","pixel"},...],[...]]}]}

@@ -162,6 +162,7 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     plate.diameter_mm =
         json->contains("diameter") ? numberAt(*json, "diameter", 1, 2 * kMost_mm) : 0;
     if (json->contains("sheet")) plate.sheet = sheetFromJson(json->at("sheet"));
+    plate.round = plate.diameter_mm > 0 && !plate.sheet;
   } catch (const nlohmann::json::exception& refused) {
     return unusableJson(
         refused,
@@ -177,6 +178,11 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
 
 Plate asSheet(Plate plate) {
   if (plate.sheet) return plate;
+  if (plate.round) {
+    const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * plate.diameter_mm);
+    plate.sheet = Eigen::AlignedBox2d(-half, half);
+    return plate;
+  }
   const Eigen::AlignedBox2d box = markedSheet(plate);
   const Eigen::Vector2d middle = box.center();
   for (Marker& marker : plate.markers)

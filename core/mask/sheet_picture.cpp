@@ -380,12 +380,13 @@ Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid)
   cv::resize(fine, small, {grid.size, grid.size}, 0, 0, cv::INTER_AREA);
   cv::Mat1f printed;
   small.convertTo(printed, CV_32F, 1 / 255.0);
-  const Eigen::AlignedBox2d& sheet = *plate.sheet;
   for (int row = 0; row < grid.size; ++row)
-    for (int column = 0; column < grid.size; ++column)
-      if (!sheet.contains(grid.pitch_mm *
-                          Eigen::Vector2d(column - grid.middle(), row - grid.middle())))
+    for (int column = 0; column < grid.size; ++column) {
+      const Eigen::Vector2d p =
+          grid.pitch_mm * Eigen::Vector2d(column - grid.middle(), row - grid.middle());
+      if (!plate.sheet->contains(p) || (plate.round && p.norm() > grid.radius_mm))
         printed(row, column) = -1;
+    }
   return printed;
 }
 

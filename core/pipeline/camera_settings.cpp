@@ -90,6 +90,7 @@ std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
 }
 
 std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads) {
+  if (batch.way == batch::Way::FreeCamera) return {};
   std::vector<Exif> exif(batch.shots.size());
   parallelFor(exif.size(), threads,
               [&](std::size_t i) { exif[i] = batch::readExif(batch.shots[i].file); });

@@ -15,7 +15,8 @@ namespace ostraka::pipeline {
 std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
                                           std::span<const batch::Exif> exif);
 
-/// The same, read from the batch's photographs.
+/// The same, read from the batch's photographs. None of photographs by hand: each has a tone of its
+/// own, and those of one body, zoom and size share a lens by themselves.
 std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads);
 
 }  // namespace ostraka::pipeline

@@ -13,6 +13,7 @@
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
 #include "rig/free_cameras.h"
+#include "rig/turntable.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -121,6 +122,13 @@ ScaleCheck scaleOf(const Run& run, const rig::BatchPoses& poses, StageNotes& not
   return check;
 }
 
+void leaveOut(rig::BatchPoses& poses, std::size_t index) {
+  const auto at = static_cast<std::ptrdiff_t>(index);
+  poses.images.erase(poses.images.begin() + at);
+  poses.rms_per_image_px.erase(poses.rms_per_image_px.begin() + at);
+  poses.markers_per_image.erase(poses.markers_per_image.begin() + at);
+}
+
 // Blurred photographs help the poses, by their markers, and harm all that follows.
 Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
   PhotoCheckOptions options;
@@ -133,13 +141,31 @@ Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& 
     run.progress.note(NoteLevel::Warning, warning);
     notes.warnings.push_back(warning);
   }
-  for (auto i = found->spoilt.rbegin(); i != found->spoilt.rend(); ++i) {
-    const auto at = static_cast<std::ptrdiff_t>(*i);
-    poses.images.erase(poses.images.begin() + at);
-    poses.rms_per_image_px.erase(poses.rms_per_image_px.begin() + at);
-    poses.markers_per_image.erase(poses.markers_per_image.begin() + at);
-  }
+  for (auto i = found->spoilt.rbegin(); i != found->spoilt.rend(); ++i) leaveOut(poses, *i);
   return {};
+}
+
+// Where a round plate turned below a camera at rest, what was taken from elsewhere has a light and
+// a room of its own, which a single photograph does not tell.
+void leaveOutStrays(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
+  if (run.batch.way != batch::Way::FreeCamera || !run.batch.plate->round) return;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    std::vector<rig::PosedImage> images;
+    std::vector<std::size_t> at;
+    for (std::size_t i = 0; i < poses.images.size(); ++i)
+      if (poses.images[i].side == side) images.push_back(poses.images[i]), at.push_back(i);
+    const auto places = rig::turntablePlaces(images);
+    if (!places) continue;
+    for (std::size_t k = images.size(); k-- > 0;) {
+      if ((*places)[k].ring >= 0) continue;
+      const std::string warning = images[k].file +
+                                  ": it was not taken from where the camera stood while the plate "
+                                  "turned; it is left out.";
+      run.progress.note(NoteLevel::Warning, warning);
+      notes.warnings.push_back(warning);
+      leaveOut(poses, at[k]);
+    }
+  }
 }
 
 constexpr const char* kBends = "sheet.json";
@@ -226,6 +252,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     notes.warnings = poses->warnings;
     const ScaleCheck scale = scaleOf(run, *poses, notes);
     if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
+    leaveOutStrays(run, *poses, notes);
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
       return written.error();

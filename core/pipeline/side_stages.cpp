@@ -14,6 +14,7 @@
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/run_log.h"
+#include "rig/turntable.h"
 #include "stereo/colmap_door.h"
 #include "stereo/openmvs_door.h"
 #include "stereo/stereo.h"
@@ -113,6 +114,25 @@ Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>
   return result;
 }
 
+struct TurningPlate {
+  batch::Plate plate;
+  std::vector<rig::PosedImage> images;
+};
+
+// Photographs from cameras at rest over a round plate that turned are masked as a rig's are. When
+// two of them were taken at the same time is not known: each is a stop of its own.
+TurningPlate turningPlate(const batch::Plate& plate, batch::Way way,
+                          const std::vector<rig::PosedImage>& images) {
+  TurningPlate turning{plate, images};
+  if (way != batch::Way::FreeCamera || !plate.round) return turning;
+  const auto places = rig::turntablePlaces(images);
+  if (!places) return turning;
+  turning.plate.sheet.reset();
+  for (std::size_t i = 0; i < images.size(); ++i)
+    turning.images[i].camera = (*places)[i].ring, turning.images[i].stop = static_cast<int>(i);
+  return turning;
+}
+
 Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images,
                                    const rig::SheetBend& bend) {
   const Result<MaskSource> source = maskSource(run.options.masks, run.batch);
@@ -124,8 +144,9 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   mask::PlateMaskOptions options;
   options.threads = run.options.threads;
   options.bend = bend;
-  return mask::maskByPlate(images, *photographs, *run.batch.plate, emptyPlates(run.batch, images),
-                           options, run.progress, run.stop);
+  const TurningPlate turning = turningPlate(*run.batch.plate, run.batch.way, images);
+  return mask::maskByPlate(turning.images, *photographs, turning.plate,
+                           emptyPlates(run.batch, images), options, run.progress, run.stop);
 }
 
 // The share of all photographs' pixels that the masks cover: a figure for the report.

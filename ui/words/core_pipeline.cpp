@@ -132,6 +132,9 @@ Sentences sentencesOfPipeline() {
                         "computer may stop it or grow very slow."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Close other programs, or compute a draft."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "%1: it was not taken from where the camera stood while the plate turned; "
+                        "it is left out."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) "
                         "it lies elsewhere; photograph this side again."),
       QT_TRANSLATE_NOOP("ostraka::Error",

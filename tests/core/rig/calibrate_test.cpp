@@ -26,7 +26,7 @@ batch::Batch batchWithoutMarkers(const std::filesystem::path& picture) {
   marker.id = 1;
   marker.corners = {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, 0, 0),
                     Eigen::Vector3d(0, 0, 0)};
-  batch.plate = batch::Plate{"DICT_4X4_100", 300, {}, {marker}};
+  batch.plate = batch::Plate{"DICT_4X4_100", 300, false, {}, {marker}};
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
     for (int stop = 0; stop < 3; ++stop)
       batch.shots.push_back({side, 0, stop, picture, {}, 80, 60});

@@ -18,7 +18,18 @@ namespace {
 
 constexpr int kFewestViews = 3;
 constexpr double kBend = 0.02;       // of the sheet's half diagonal: 3.6 mm for A4
+constexpr double kMostBent = 0.1;    // of the corner's distance from the middle
 constexpr double kNamedBend_mm = 1;  // a sheet this flat harms nothing
+
+// Markers in one part of a picture do not determine the higher terms of a lens: what would move the
+// picture's corner by a tenth is none's. Without them the adjustment finds those that it can.
+Intrinsics withinReason(Intrinsics lens) {
+  const double r2 = (Eigen::Vector2d(0.5 * lens.width, 0.5 * lens.height) / lens.fx).squaredNorm();
+  const auto& d = lens.distortion;
+  if (std::abs(d[1]) * r2 * r2 > kMostBent || std::abs(d[4]) * r2 * r2 * r2 > kMostBent)
+    lens.distortion = {};
+  return lens;
+}
 
 class FreePoser {
  public:
@@ -97,7 +108,7 @@ class FreePoser {
     Result<IntrinsicsReport> report = calibrateIntrinsics(views, width, height);
     if (!report) report = intrinsicsFromPlate(views, width, height);
     if (!report) return report.error();
-    return report->intrinsics;
+    return withinReason(report->intrinsics);
   }
 
   Result<void> findStart() {

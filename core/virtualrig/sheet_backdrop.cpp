@@ -2,6 +2,7 @@
 
 #include "virtualrig/highlights.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ostraka::virtualrig {
@@ -69,11 +70,12 @@ Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
   }
   p = at(r, 0);
   if (!table_.holds(p.head<2>())) return beyond(r);
-  // Little light comes in beside the paper's edge, less the higher it stands.
+  // Little light comes in beside the paper's edge and under it, less the higher it stands.
   const Eigen::Vector2f edge =
       p.head<2>().cwiseAbs().cwiseMin(sheet_.plate().sheet->max().cast<float>());
   const float rise = kPaper_mm + sheet_.height(edge.cwiseProduct(p.head<2>().cwiseSign()));
-  const float open = 1 - 0.6f * std::exp(-sheet_.distance(p.head<2>()) / (1.5f * rise));
+  const float beside = std::max(0.f, sheet_.distance(p.head<2>()));
+  const float open = 1 - 0.6f * std::exp(-beside / (1.5f * rise));
   return open *
          lit(p, Eigen::Vector3f::UnitZ(), r, table_.albedo(p.head<2>()), table_.gloss(), hash);
 }

@@ -207,6 +207,23 @@ TEST_F(BatchByHand, ThingsBesideTheSherdsAreSeenAndAreNoSherds) {
   EXPECT_GT(changed, 6 * 250);
 }
 
+// A look under the raised edge met the table where the paper's shade has no end.
+TEST_F(BatchByHand, ASheetThatRisesHighIsPhotographedToo) {
+  SimulateOptions options = small(root / "raised");
+  options.width = 320;
+  options.hand_held->table = TableKind::CuttingMat;
+  options.hand_held->bend_mm = 12;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  const auto images = rig::readCameras(root / "raised" / "truth" / "cameras.json");
+  ASSERT_TRUE(images);
+  for (const rig::PosedImage& image : *images) {
+    const cv::Mat photograph = cv::imread((root / "raised" / image.file).string());
+    ASSERT_FALSE(photograph.empty()) << image.file;
+    EXPECT_LT(cv::countNonZero(photograph.reshape(1) == 0), 0.05 * photograph.total() * 3);
+  }
+}
+
 TEST(WalkAround, StaysWhereAPersonWithATelephoneStands) {
   HandHeldOptions hand;
   hand.photographs = 200;

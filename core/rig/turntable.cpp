@@ -37,8 +37,8 @@ bool turnAboutOneAxis(std::span<const PosedImage> images, const std::vector<std:
   const auto equation = [&](std::size_t k) {
     const Eigen::Matrix2d turned =
         Eigen::Rotation2Dd(turnBetween(first, images[k])).toRotationMatrix();
-    return std::pair<Eigen::Matrix2d, Eigen::Vector2d>(
-        Eigen::Matrix2d::Identity() - turned, images[k].centre().head<2>() - turned * c0);
+    return std::pair<Eigen::Matrix2d, Eigen::Vector2d>(Eigen::Matrix2d::Identity() - turned,
+                                                       images[k].centre().head<2>() - turned * c0);
   };
   for (const std::size_t k : members) {
     const auto [a, b] = equation(k);
@@ -77,8 +77,7 @@ std::optional<std::vector<TurntablePlace>> turntablePlaces(std::span<const Posed
       places[largest[k]] = {ring, static_cast<int>(k)};
     placed += largest.size();
   }
-  if (static_cast<double>(placed) < kLeastShare * static_cast<double>(images.size()) ||
-      placed == 0)
+  if (static_cast<double>(placed) < kLeastShare * static_cast<double>(images.size()) || placed == 0)
     return std::nullopt;
   return places;
 }

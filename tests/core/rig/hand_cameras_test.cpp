@@ -6,6 +6,7 @@
 #include "base/median.h"
 #include "batch/image_header.h"
 #include "rig/free_cameras.h"
+#include "rig/turntable.h"
 
 // Photographs by hand over a printed sheet, against the truth; only tests read truth/.
 namespace ostraka::rig {
@@ -63,6 +64,38 @@ TEST(HandHeldPhotographs, ArePosedToAThirdOfAPixelWhereTheSherdsLie) {
   std::printf("median %.3f px, worst %.3f px, markers %.3f px\n", medianOf(errors_px),
               *std::max_element(errors_px.begin(), errors_px.end()), poses->reprojection_rms_px);
   EXPECT_LT(medianOf(errors_px), 0.33);
+}
+
+// The photographs of one of the demo's cameras, as if each had been taken from anywhere.
+TEST(TurningPlate, IsToldByThePosesOfOneCamerasPhotographs) {
+  batch::Batch batch;
+  batch.folder = OSTRAKA_SHARED_DIR "/batches/demo";
+  batch.way = batch::Way::FreeCamera;
+  batch.plate = batch::asSheet(*batch::readPlate(batch.folder / "plate.json"));
+  ASSERT_TRUE(batch.plate->round);
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+    addSide(batch, side, batch.folder / batch::name(side));
+  std::erase_if(batch.shots, [](const batch::Shot& shot) {
+    return !shot.file.filename().string().starts_with("cam1");
+  });
+  QuietProgress quiet;
+  const Result<BatchPoses> poses = poseFreeCameras(batch, {}, quiet, {});
+  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+  ASSERT_EQ(poses->images.size(), 16U);
+  // From one height the focal length is not determined well, but the lens is one that there is.
+  for (const PosedImage& image : poses->images) {
+    EXPECT_NEAR(image.intrinsics.fx, 2752, 0.04 * 2752);
+    EXPECT_LT(std::abs(image.intrinsics.distortion[1]), 1);
+    EXPECT_LT(std::abs(image.intrinsics.distortion[4]), 1);
+  }
+  const auto places = turntablePlaces(std::span(poses->images).first(8));
+  ASSERT_TRUE(places);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ((*places)[i].ring, 0);
+    EXPECT_EQ((*places)[i].stop, static_cast<int>(i));
+  }
+  const std::vector<PosedImage> walked = *readCameras(kHand / "truth/cameras.json");
+  EXPECT_FALSE(turntablePlaces(std::span(walked).first(20)));
 }
 
 TEST(HandHeldPhotographs, OfARealTelephoneOverABentSheetArePosedAll) {

@@ -41,10 +41,9 @@ void addWalk(std::vector<PosedImage>& images, int count, unsigned seed) {
     const double angle = 2 * M_PI * i / count;
     const double reach = 400 + 25 * scatter(random), height = 350 + 25 * scatter(random);
     PosedImage image;
-    image.camera_from_plate =
-        Eigen::AngleAxisd(0.05 * scatter(random), Eigen::Vector3d::UnitZ()) *
-        lookingAt({reach * std::cos(angle), reach * std::sin(angle), height},
-                  {15 * scatter(random), 15 * scatter(random), 0});
+    image.camera_from_plate = Eigen::AngleAxisd(0.05 * scatter(random), Eigen::Vector3d::UnitZ()) *
+                              lookingAt({reach * std::cos(angle), reach * std::sin(angle), height},
+                                        {15 * scatter(random), 15 * scatter(random), 0});
     images.push_back(image);
   }
 }

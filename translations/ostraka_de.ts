@@ -7959,6 +7959,11 @@
       <translation>Scherbe %1 hat kein Modell: %2</translation>
     </message>
     <message>
+      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1: %2 % der Oberfläche hat keine Kamera gesehen; sie sind ergänzt, im Bild orange. Wenn es darauf ankommt, die Scherbe noch einmal aufnehmen.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie nennt %1, das nicht in dem Durchgang ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>

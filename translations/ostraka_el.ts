@@ -7954,6 +7954,11 @@
       <translation>Το όστρακο %1 δεν έχει μοντέλο: %2</translation>
     </message>
     <message>
+      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακο %1: το %2 % της επιφάνειάς του δεν το είδε καμία κάμερα και έχει συμπληρωθεί, πορτοκαλί στην εικόνα· φωτογραφίστε το ξανά, αν έχει σημασία.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ονομάζει το %1, που δεν είναι στην παρτίδα· διαγράψτε αυτό το αρχείο, και οι κάμερες θα βρεθούν ξανά.</translation>

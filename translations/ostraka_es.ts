@@ -7954,6 +7954,11 @@
       <translation>El fragmento %1 no tiene modelo: %2</translation>
     </message>
     <message>
+      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmento %1: ninguna cámara vio el %2 % de su superficie; está rellenado, en naranja en la imagen. Fotografíelo de nuevo si importa.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nombra %1, que no está en la tanda; borre este archivo y las cámaras se hallarán de nuevo.</translation>

@@ -7954,6 +7954,11 @@
       <translation>Le tesson %1 n’a pas de modèle : %2</translation>
     </message>
     <message>
+      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson %1 : %2 % de sa surface n’ont été vus par aucun appareil et sont comblés, en orange sur l’image ; le photographier de nouveau si cela compte.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il nomme %1, qui n’est pas dans le lot ; supprimez ce fichier, et les appareils seront retrouvés.</translation>

@@ -7954,6 +7954,11 @@
       <translation>%1 բեկորը մոդել չունի. %2</translation>
     </message>
     <message>
+      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, կրկին լուսանկարեք։</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն նշում է %1-ը, որը խմբաքանակում չկա. ջնջեք այս ֆայլը, և տեսախցիկները նորից կգտնվեն։</translation>

@@ -7906,6 +7906,11 @@
       <translation>%1 numaralı parçanın modeli yok: %2</translation>
     </message>
     <message>
+      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça %1: yüzeyinin %2 % kadarını hiçbir kamera görmedi; bu kısım dolduruldu, resimde turuncu. Önemliyse yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partide olmayan %1 dosyasını anıyor; bu dosyayı silin, kameralar yeniden bulunur.</translation>

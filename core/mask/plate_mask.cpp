@@ -18,24 +18,13 @@
 #include "mask/plate_picture.h"
 #include "mask/raised.h"
 #include "mask/ring_agreement.h"
+#include "mask/shadow_depths.h"
 #include "mask/sheet_picture.h"
 #include "mask/strange_shadow.h"
+#include "mask/view_state.h"
 
 namespace ostraka::mask {
 namespace {
-
-// What is kept of each photograph between the two passes, small enough for a whole side.
-struct ViewState {
-  cv::Mat3f residual;  ///< half the memory would do; 23 MB at 1600 x 1200
-  cv::Mat1f log_odds;
-  cv::Mat1f height_odds;  ///< half size, see weighHeights
-  HullView hull;
-  cv::Mat1b group;    ///< reduced: which group's hull shows
-  cv::Mat1f depth;    ///< reduced: mm of hull behind it
-  cv::Mat1f voxels;   ///< reduced: of hull behind it or below its front, whichever are fewer
-  cv::Mat1b allowed;  ///< where a sherd may be
-  cv::Mat1b plate;    ///< reduced: the plate inside the markers
-};
 
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
 constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
@@ -102,7 +91,7 @@ class PlateMasker {
     };
     overViews(&PlateMasker::showHull);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
-    if (!lasting) trustHull(overViews);
+    if (!lasting) knowShadows(), trustHull();
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
     overViews(&PlateMasker::askOthers);
     if (!stop.stop_requested()) learnColours();
@@ -110,7 +99,7 @@ class PlateMasker {
     if (lasting && !stop.stop_requested()) {
       carveByMasks(stop);
       overViews(&PlateMasker::showHull);
-      trustHull(overViews);
+      trustHull();
       overViews(&PlateMasker::cutView);
     }
     if (stop.stop_requested()) return Error::cancelled();
@@ -126,7 +115,6 @@ class PlateMasker {
             {}};
   }
 
-  // Evidence of all stops of one camera.
   void weighCamera(int camera, const std::vector<std::size_t>& members, Progress& progress) {
     const PlateGrid grid = gridOver(plate_, millimetresPerPixel(images_[members[0]]));
     const cv::Mat1b paper = markerPaper(plate_, grid);
@@ -351,20 +339,32 @@ class PlateMasker {
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
     cv::dilate(silhouette, view.allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
-    view.voxels = cv::min(shown.depth, shown.height) / space_.pitch;
+    view.below = shown.height / space_.pitch;
+  }
+
+  void knowShadows() {
+    std::vector<ShadowSight> sights;
+    for (std::size_t i = 0; i < views_.size(); ++i)
+      sights.push_back({views_[i].residual, views_[i].group, views_[i].plate, photographs_[i],
+                        views_[i].log_odds});
+    const ShadowDepths depths = learnShadowDepths(sights, hull_.reduction);
+    parallelFor(views_.size(), options_.threads, [&](std::size_t i) {
+      depths.addTo(views_[i].log_odds, views_[i].residual, photographs_[i]);
+    });
   }
 
   // Black clay looks like nothing else but a shadow; what lies deep in the hull is none.
-  template <class OverViews>
-  void trustHull(const OverViews& overViews) {
+  void trustHull() {
     std::vector<HullSight> sights;
     for (const ViewState& view : views_)
-      sights.push_back({view.voxels, view.group, view.hull.clear, view.log_odds});
+      sights.push_back(
+          {view.depth / space_.pitch, view.below, view.group, view.hull.clear, view.log_odds});
     hull_odds_ = learnHullOdds(sights, hull_.reduction);
-    overViews(&PlateMasker::addHullOdds);
+    parallelFor(views_.size(), options_.threads,
+                [&](std::size_t i) { views_[i].log_odds += hullOddsOf(views_[i]); });
   }
-  void addHullOdds(std::size_t index) {
-    hull_odds_.addTo(views_[index].log_odds, views_[index].voxels);
+  cv::Mat1f hullOddsOf(const ViewState& view) const {
+    return hull_odds_.of(view.depth / space_.pitch, view.below, view.log_odds.size());
   }
 
   // Lamps and sherds cast the same shadows at each stop, or nearly; a hand or a person does not.
@@ -436,8 +436,8 @@ class PlateMasker {
 
   cv::Mat1b cutWithHull(const ViewState& view, const CutOptions& options, double mm) const {
     cv::Mat1b with = cutOutline(view.log_odds, view.allowed, view.residual, options);
-    if (hull_odds_.steps == HullOdds().steps) return with;
-    const cv::Mat1f odds = hull_odds_.without(view.log_odds, view.voxels);
+    if (hull_odds_.by == HullOdds().by) return with;
+    const cv::Mat1f odds = view.log_odds - hullOddsOf(view);
     const cv::Mat1b own = cutOutline(odds, view.allowed, view.residual, options);
     return settleStrips(own, with, kStripVoxels * space_.pitch / mm, view.residual, options);
   }

@@ -219,7 +219,7 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   line.decided_by = sherd.pair->decided_by;
   line.has_model = sherd.figures.value("model", false);
   line.remark = sherd.pair->ambiguous ? sherd.pair->reason : "";
-  if (!line.has_model && !record.notes.warnings.empty())
+  if ((!line.has_model || line.remark.empty()) && !record.notes.warnings.empty())
     line.remark = record.notes.warnings.front();
   return line;
 }

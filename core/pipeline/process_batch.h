@@ -45,7 +45,7 @@ struct SherdSummary {
   bool ambiguous = false;
   bool has_model = false;
   std::string decided_by;  ///< the person who settled this pair; empty: the program
-  std::string remark;      ///< why a person must look, or why there is no model; else empty
+  std::string remark;      ///< why a person must look, or what the model lacks; else empty
   bool rimsCompared() const { return rim_rms_mm > 0; }  ///< false: the figure says nothing
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/text.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
 #include "model/preview.h"
@@ -33,6 +34,16 @@ Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh) {
   std::vector<unsigned char> bytes;
   cv::imencode(".png", model::renderPreview(mesh, {}), bytes);
   return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+// Sherds that were seen all around have gaps of less than a hundredth; with parts of the break
+// missing it is a tenth.
+std::vector<std::string> warningsAbout(const model::SherdModel& model, const std::string& number) {
+  constexpr double kMostFilled = 0.03;
+  if (model.filled_share <= kMostFilled) return {};
+  return {"Sherd " + number + ": " + fixed(100 * model.filled_share, 0) +
+          " % of its surface was seen by no camera and is filled in, orange in its picture; "
+          "photograph it again if that matters."};
 }
 
 Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::string& number,
@@ -68,7 +79,7 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
                           {"side_gap_mm", model->side_gap_mm},
                           {"filled_share", model->filled_share},
                           {"measures", toJson(model::measure(model->mesh))}};
-  return StageNotes{std::move(figures), {}};
+  return StageNotes{std::move(figures), warningsAbout(*model, number)};
 }
 
 }  // namespace

@@ -221,6 +221,9 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error", "export them in mm, or use --scale free"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Sherd %1 has no model: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Sherd %1: %2 % of its surface was seen by no camera and is filled in, "
+                        "orange in its picture; photograph it again if that matters."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "It names %1, which is not in the batch; delete this file, and the cameras "
                         "are found again."),
       QT_TRANSLATE_NOOP("ostraka::Error",

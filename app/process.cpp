@@ -106,10 +106,9 @@ void addProcess(CLI::App& root, Command& chosen) {
       root.add_subcommand("process", "Turn photographs of sherds into complete models");
   command->footer(
       "PHOTOGRAPHS is a batch folder (front/, back/, plate.json), or a folder with photographs by\n"
-      "hand of the front; BACK then has those of the back. Names and formats are as the camera "
-      "left\n"
-      "them. plate.json of the sheet lies beside the photographs, in the folder above, or is "
-      "named.\n"
+      "hand of the front; BACK then has those of the back. A camera at rest over a round plate\n"
+      "that turns gives such folders, too. Names and formats are as the camera left them.\n"
+      "plate.json of the sheet lies beside the photographs, in the folder above, or is named.\n"
       "\n"
       "Stopped or killed, the same command goes on from the last whole stage. Open "
       "OUT/report.html\n"

@@ -154,7 +154,10 @@ std::optional<MovedSherd> movedOf(const std::vector<Offset>& offsets,
   std::optional<MovedSherd> best;
   double least = still / options.least_gain;
   for (const int stop : stops) {
-    if (stop == *stops.begin()) continue;
+    const auto after = std::count_if(offsets.begin(), offsets.end(),
+                                     [&](const Offset& o) { return images[o.image].stop >= stop; });
+    const auto before = static_cast<std::ptrdiff_t>(offsets.size()) - after;
+    if (std::min(before, after) < options.least_beyond) continue;
     const auto [step, left] = fitted(offsets, images, columns, stop);
     if (left >= least || step.norm() < options.least_move_mm) continue;
     least = left;

@@ -101,6 +101,12 @@ TEST_F(Stillness, NamesThePhotographFromWhichASherdLiesElsewhereByHand) {
   EXPECT_NEAR(moved[0].by_mm, 3.0, 0.3);
 }
 
+TEST_F(Stillness, TakesABadMaskOfTheLastPhotographsForNoPush) {
+  shoot({2.4, -1.8}, 7);  // two photographs
+  EXPECT_TRUE(findMoved(images_, masks_, scans_, {.threads = 1}).empty());
+  EXPECT_EQ(findMoved(images_, masks_, scans_, {.least_beyond = 2, .threads = 1}).size(), 1U);
+}
+
 TEST_F(Stillness, SaysNothingOfAPushTooSmallToMatter) {
   shoot({0.4, 0.3}, 4);
   EXPECT_TRUE(findMoved(images_, masks_, scans_, {.threads = 1}).empty());

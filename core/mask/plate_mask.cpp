@@ -142,7 +142,7 @@ class PlateMasker {
     });
   }
 
-  // Evidence of all photographs against the printed sheet. Beyond its edge nothing is known.
+  // Against the printed sheet. Beyond its edge nothing is known.
   Result<void> weighSheet(const std::stop_token& stop) {
     double finest = millimetresPerPixel(images_[0]);
     for (const rig::PosedImage& image : images_)
@@ -331,8 +331,7 @@ class PlateMasker {
   void showHull(std::size_t index) {
     ViewState& view = views_[index];
     const Silhouette shown = silhouetteOfHull(space_, voxels_, view.hull, hull_);
-    view.group = shown.group;
-    view.depth = shown.depth;
+    view.group = shown.group, view.depth = shown.depth;
     view.hull.inside.release();
     if (plate_.sheet) keepTouching(view.plate, view.group);
     cv::Mat1b silhouette;
@@ -364,7 +363,8 @@ class PlateMasker {
                 [&](std::size_t i) { views_[i].log_odds += hullOddsOf(views_[i]); });
   }
   cv::Mat1f hullOddsOf(const ViewState& view) const {
-    return hull_odds_.of(view.depth / space_.pitch, view.below, view.log_odds.size());
+    const double share = masks_known_ ? 0.5 : 1;  // the masks' own hull repeats what they say
+    return share * hull_odds_.of(view.depth / space_.pitch, view.below, view.log_odds.size());
   }
 
   // Lamps and sherds cast the same shadows at each stop, or nearly; a hand or a person does not.

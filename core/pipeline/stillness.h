@@ -20,7 +20,7 @@ struct StillnessOptions {
   double least_move_mm = 1.0;  ///< smaller ones spoil little, and masks are not that sure
   double least_gain = 4;       ///< how much better a push must explain the masks (sum of squares)
   int least_views = 8;         ///< that show the sherd apart from others
-  int least_beyond = 4;        ///< of them before a push and after it; fewer are bad masks
+  int least_beyond = 3;        ///< of them before a push and after it, one stop of three cameras
   double own_share = 0.95;     ///< of the scans' points on a patch of a mask that are this sherd's
   int threads = 0;
 };

@@ -107,6 +107,15 @@ TEST_F(Stillness, TakesABadMaskOfTheLastPhotographsForNoPush) {
   EXPECT_EQ(findMoved(images_, masks_, scans_, {.least_beyond = 2, .threads = 1}).size(), 1U);
 }
 
+TEST_F(Stillness, NamesAPushThatOnlyThreePhotographsShow) {
+  shoot({2.4, -1.8}, 6);
+  images_.pop_back();
+  masks_.pop_back();
+  const auto moved = findMoved(images_, masks_, scans_, {.threads = 1});
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_EQ(moved[0].from_stop, 6);
+}
+
 TEST_F(Stillness, SaysNothingOfAPushTooSmallToMatter) {
   shoot({0.4, 0.3}, 4);
   EXPECT_TRUE(findMoved(images_, masks_, scans_, {.threads = 1}).empty());

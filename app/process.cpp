@@ -109,6 +109,9 @@ void addProcess(CLI::App& root, Command& chosen) {
       "hand of the front; BACK then has those of the back. A camera at rest over a round plate\n"
       "that turns gives such folders, too. Names and formats are as the camera left them.\n"
       "plate.json of the sheet lies beside the photographs, in the folder above, or is named.\n"
+      "Without it markers are sought in the photographs; without markers COLMAP finds the "
+      "cameras,\n"
+      "and the result has no scale but that of scale.json.\n"
       "\n"
       "Stopped or killed, the same command goes on from the last whole stage. Open "
       "OUT/report.html\n"
@@ -127,7 +130,7 @@ void addProcess(CLI::App& root, Command& chosen) {
   command
       ->add_option(
           "--marker-mm", options->marker_mm,
-          "Without plate.json: side of a marker's black square; the sheet is then found in "
+          "Without plate.json: side of a marker's black square on the sheet, which is found in "
           "the photographs")
       ->check(CLI::Range(0.5, 1000.0));
   addThreads(*command, options->threads);

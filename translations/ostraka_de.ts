@@ -5584,6 +5584,11 @@
       <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 mit Seiten von %3 mm wurden in den Fotos gefunden (%4 px) und dafür genommen. Den Abstand zweier weit auseinanderliegender Marker messen und mit plate.json im Ergebnisordner vergleichen.</translation>
     </message>
     <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 wurden in den Fotos gefunden (%3 px), ihre Größe ist nicht bekannt, daher hat das Ergebnis keinen Maßstab. Die Seite des schwarzen Quadrats eines Markers messen und mit --marker-mm angeben.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Maske wird nicht verwendet.</translation>

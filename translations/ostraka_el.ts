@@ -5579,6 +5579,11 @@
       <translation>Κανένα plate.json δεν περιγράφει το φύλλο: %1 δείκτες του %2 με πλευρές %3 mm βρέθηκαν στις φωτογραφίες (%4 px) και λαμβάνονται ως αυτό. Μετρήστε την απόσταση δύο απομακρυσμένων δεικτών και συγκρίνετέ την με το plate.json στον φάκελο εξόδου.</translation>
     </message>
     <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα plate.json δεν περιγράφει το φύλλο: στις φωτογραφίες βρέθηκαν %1 δείκτες του %2 (%3 px) και το μέγεθός τους δεν είναι γνωστό, οπότε το αποτέλεσμα δεν έχει κλίμακα. Μετρήστε την πλευρά του μαύρου τετραγώνου ενός δείκτη και δώστε την με --marker-mm.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η μάσκα δεν χρησιμοποιείται.</translation>

@@ -5579,6 +5579,11 @@
       <translation>Ningún plate.json describe la hoja: se encontraron %1 marcadores de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcadores alejados y compárela con plate.json en la carpeta de salida.</translation>
     </message>
     <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún plate.json describe la hoja: en las fotografías se encontraron %1 marcadores de %2 (%3 px) y no se conoce su tamaño, por lo que el resultado no tiene escala. Mida el lado del cuadrado negro de un marcador e indíquelo con --marker-mm.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta máscara no se usa.</translation>

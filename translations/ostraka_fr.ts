@@ -5579,6 +5579,11 @@
       <translation>Aucun plate.json ne décrit la feuille : %1 marqueurs de %2 de %3 mm de côté ont été trouvés dans les photos (%4 px) et servent de feuille. Mesurez la distance de deux marqueurs éloignés et comparez-la avec plate.json dans le dossier de sortie.</translation>
     </message>
     <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun plate.json ne décrit la feuille : %1 marqueurs de %2 ont été trouvés sur les photographies (%3 px) et leur taille n’est pas connue ; le résultat n’a donc pas d’échelle. Mesurez le côté du carré noir d’un marqueur et indiquez-le avec --marker-mm.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce masque n’est pas utilisé.</translation>

@@ -5579,6 +5579,11 @@
       <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2-ի %1 նշիչ՝ %3 մմ կողմերով (%4 px), և ընդունվել որպես թերթ։ Չափեք իրարից հեռու երկու նշիչների հեռավորությունը և համեմատեք արդյունքների պանակի plate.json-ի հետ։</translation>
     </message>
     <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2 բառարանի %1 նշիչ (%3 px), և դրանց չափը հայտնի չէ, ուստի արդյունքը մասշտաբ չունի։ Չափեք նշիչի սև քառակուսու կողմը և նշեք այն --marker-mm-ով։</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս դիմակը չի օգտագործվում։</translation>

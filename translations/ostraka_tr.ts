@@ -5531,6 +5531,11 @@
       <translation>Sayfayı anlatan plate.json yok: fotoğraflarda kenarları %3 mm olan %1 %2 işareti bulundu (%4 px) ve sayfa sayıldı. Birbirinden uzak iki işaretin aralığını ölçüp çıktı klasöründeki plate.json ile karşılaştırın.</translation>
     </message>
     <message>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir plate.json sayfayı tanımlamıyor: fotoğraflarda %2 sözlüğünden %1 işaretçi bulundu (%3 px) ve boyutları bilinmiyor; bu yüzden sonucun ölçeği yok. Bir işaretçinin siyah karesinin kenarını ölçün ve --marker-mm ile belirtin.</translation>
+    </message>
+    <message>
       <source>This mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu maske kullanılmıyor.</translation>

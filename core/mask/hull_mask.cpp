@@ -1,17 +1,16 @@
 #include "mask/hull_mask.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "base/median.h"
 #include "base/parallel.h"
 #include "mask/colour_model.h"
 #include "mask/hull.h"
 #include "mask/outline.h"
 #include "mask/plate_picture.h"
+#include "rig/support_plane.h"
 
 namespace ostraka::mask {
 namespace {
@@ -20,39 +19,10 @@ constexpr int kRounds = 4;       // colours and hull teach each other; the hull 
 constexpr int kVoxels = 96;      // per side of the box: 1 % of it, a few pixels of a photograph
 constexpr double kBoxRadii = 2;  // half the box, in radii of the first guess
 
-/// Where all cameras look, and how large a thing there would fill about half of the pictures.
-struct Guess {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0;
-};
-
-// The point nearest to all optical axes.
-Guess guessFromAxes(std::span<const rig::PosedImage> images) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const rig::PosedImage& image : images) {
-    const Eigen::Vector3d axis = image.camera_from_plate.linear().row(2);
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
-    normal += across;
-    right += across * image.centre();
-  }
-  Guess guess;
-  guess.centre = normal.ldlt().solve(right);
-  std::vector<double> radii;
-  for (const rig::PosedImage& image : images) {
-    const double depth = (image.camera_from_plate * guess.centre).z();
-    const int shorter = std::min(image.intrinsics.width, image.intrinsics.height);
-    if (depth > 0) radii.push_back(0.25 * shorter / image.intrinsics.fx * depth);
-  }
-  if (radii.empty()) return guess;
-  guess.radius = medianOf(radii);
-  return guess;
-}
-
 class HullMasker {
  public:
   HullMasker(std::span<const rig::PosedImage> images, std::span<const cv::Mat> photographs,
-             const Guess& guess, const HullMaskOptions& options)
+             const rig::Sight& guess, const HullMaskOptions& options)
       : images_(images), photographs_(photographs), guess_(guess), options_(options) {
     hull_.threads = options.threads;
     hull_.reduction = std::max(1, photographs[0].cols / 340);
@@ -184,7 +154,7 @@ class HullMasker {
 
   std::span<const rig::PosedImage> images_;
   std::span<const cv::Mat> photographs_;
-  Guess guess_;
+  rig::Sight guess_;
   const HullMaskOptions& options_;
   HullOptions hull_;
   HullSpace space_;
@@ -205,20 +175,13 @@ Result<void> HullMaskOptions::check() const {
 Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
                               std::span<const cv::Mat> photographs, const HullMaskOptions& options,
                               Progress& progress, std::stop_token stop) {
-  if (images.size() != photographs.size())
-    return Error{ErrorCode::UnusableInput, "Each photograph needs one pose.", {}};
-  if (images.size() < 3)
-    return Error{ErrorCode::NotEnough,
-                 "A hull needs at least 3 photographs; photograph the thing from more sides.",
-                 {}};
-  for (std::size_t i = 0; i < images.size(); ++i)
-    if (photographs[i].type() != CV_8UC3 || photographs[i].cols != images[i].intrinsics.width ||
-        photographs[i].rows != images[i].intrinsics.height)
-      return Error{ErrorCode::UnusableInput,
-                   "The photograph is not of the size that its camera has; use the original file.",
-                   images[i].file};
-  const Guess guess = guessFromAxes(images);
-  if (!(guess.radius > 0) || !guess.centre.allFinite())
+  if (const Result<void> ok =
+          checkViews(images, photographs,
+                     "A hull needs at least 3 photographs; photograph the thing from more sides.");
+      !ok)
+    return ok.error();
+  const rig::Sight guess = rig::commonSight(images);
+  if (!guess.sound())
     return Error{ErrorCode::UnusableInput,
                  "The cameras do not look at a common place; check their poses.",
                  {}};

@@ -1,7 +1,11 @@
 #pragma once
 #include <opencv2/core/mat.hpp>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "base/result.h"
+#include "rig/camera.h"
 
 namespace ostraka::mask {
 
@@ -12,5 +16,10 @@ struct MaskResult {
   std::vector<cv::Mat1b> masks;
   std::vector<std::string> warnings;  ///< sentences for a person; each asks for an act
 };
+
+/// That each photograph (CV_8UC3) has a pose and the size that its camera says, and that there are
+/// three. too_few: the sentence of NotEnough. Errors: UnusableInput, NotEnough.
+Result<void> checkViews(std::span<const rig::PosedImage> images,
+                        std::span<const cv::Mat> photographs, const char* too_few);
 
 }  // namespace ostraka::mask

@@ -9,6 +9,7 @@
 #include "base/median.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "mask/coarse_heights.h"
 #include "mask/colour_model.h"
 #include "mask/evidence.h"
 #include "mask/hull.h"
@@ -31,27 +32,6 @@ constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxe
 constexpr double kCarvingShare = 0.15;     // of the photographs; some see a shadow as sherd
 constexpr double kStripVoxels = 3;         // +-50 % change the IoU by 0.0007 at most (RESULTS.md)
 constexpr double kStrange = 0.03;  // share of the bare plate: more than what poses and grain do
-
-Result<void> checkInput(std::span<const rig::PosedImage> images,
-                        std::span<const cv::Mat> photographs) {
-  if (images.size() != photographs.size())
-    return Error{ErrorCode::UnusableInput,
-                 std::to_string(images.size()) + " poses came with " +
-                     std::to_string(photographs.size()) + " photographs; give one pose for each.",
-                 {}};
-  if (images.size() < 3)
-    return Error{
-        ErrorCode::NotEnough,
-        "Masks from the plate need at least 3 photographs of a side; photograph more stops.",
-        {}};
-  for (std::size_t i = 0; i < images.size(); ++i)
-    if (photographs[i].type() != CV_8UC3 || photographs[i].cols != images[i].intrinsics.width ||
-        photographs[i].rows != images[i].intrinsics.height)
-      return Error{ErrorCode::UnusableInput,
-                   "The photograph is not of the size that its camera has; use the original file.",
-                   images[i].file};
-  return {};
-}
 
 class PlateMasker {
  public:
@@ -148,13 +128,14 @@ class PlateMasker {
     for (const rig::PosedImage& image : images_)
       finest = std::min(finest, millimetresPerPixel(image));
     const PlateGrid grid = gridOver(plate_, finest);
-    const Result<cv::Mat1f> printed = printedSheet(plate_, grid);
+    Result<cv::Mat1f> printed = printedSheet(plate_, grid);
     if (!printed) return printed.error();
     std::vector<cv::Mat3b> samples(images_.size());
     parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
-      cv::remap(photographs_[i], samples[i], pixelsOfGrid(images_[i], grid, options_.bend),
-                cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar::all(0));
+      const cv::Mat2f pixels = pixelsOfGrid(images_[i], grid, options_.bend);
+      cv::remap(photographs_[i], samples[i], pixels, cv::noArray(), cv::INTER_LINEAR,
+                cv::BORDER_CONSTANT, cv::Scalar::all(0));
     });
     if (stop.stop_requested()) return Error::cancelled();
     const SheetPicture picture = buildSheetPicture(samples, *printed);
@@ -205,8 +186,13 @@ class PlateMasker {
         images.push_back(&images_[i]);
         photographs.push_back(&photographs_[i]);
       }
-      std::vector<cv::Mat1f> heights =
-          weighHeights(images, photographs, plate_, options_.height_mm, options_.bend.most());
+      std::vector<cv::Mat1f> heights;
+      if (options_.shown.empty())
+        heights =
+            weighHeights(images, photographs, plate_, options_.height_mm, options_.bend.most());
+      else
+        for (const std::size_t i : stops[s])
+          heights.push_back(heightsShown(options_.shown[i], photographs_[i].size()));
       for (std::size_t k = 0; k < images.size(); ++k) addHeights(views_[stops[s][k]], heights[k]);
     });
   }
@@ -493,7 +479,11 @@ Result<MaskResult> maskByPlate(std::span<const rig::PosedImage> images,
                                const PlateMaskOptions& options, Progress& progress,
                                std::stop_token stop) {
   if (const Result<void> ok = options.check(); !ok) return ok.error();
-  if (const Result<void> ok = checkInput(images, photographs); !ok) return ok.error();
+  if (const Result<void> ok = checkViews(
+          images, photographs,
+          "Masks from the plate need at least 3 photographs of a side; photograph more stops.");
+      !ok)
+    return ok.error();
   return PlateMasker(images, photographs, plate, empty_photographs, options).run(progress, stop);
 }
 

@@ -118,9 +118,10 @@ SheetPicture::Tone fitPaper(const std::vector<PaperSample>& samples) {
 
 class SheetPainter {
  public:
-  SheetPainter(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed)
+  SheetPainter(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed, Print print)
       : samples_(samples),
         printed_(printed),
+        print_(print),
         paper_(allOf(printed > kWhitePaper)),
         ink_(allOf((printed >= 0) & (printed < kBlackInk))) {}
 
@@ -176,14 +177,14 @@ class SheetPainter {
       for (int column = 0; column < printed_.cols; ++column) {
         if (printed_(row, column) < 0) continue;
         cv::Vec3f sum(0, 0, 0);
-        float total = 1;
+        float total = print_ == Print::Known ? 1 : 1e-3F;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
           const cv::Vec3b& sample = samples_[i](row, column);
           if (!isSeen(sample)) continue;
           const SheetPicture::Tone& tone = picture_.tones[i];
           const cv::Vec3f rest =
               logs_(sample) - paperAt(tone, row, column) - mixture(printed_(row, column), tone.ink);
-          const float w = bareWeight(rest, kStain);
+          const float w = print_ == Print::Known ? bareWeight(rest, kStain) : 1;
           sum += w * rest;
           total += w;
         }
@@ -332,6 +333,7 @@ class SheetPainter {
 
   std::span<const cv::Mat3b> samples_;
   const cv::Mat1f& printed_;
+  const Print print_;
   cv::Mat1b paper_, ink_;
   Logs logs_;
   SheetPicture picture_;
@@ -345,8 +347,12 @@ cv::Vec3f SheetPicture::Tone::paperAt(float u, float v) const {
 }
 
 Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid) {
-  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(plate.dictionary);
-  if (!dictionary) return dictionary.error();
+  cv::Ptr<cv::aruco::Dictionary> dictionary;
+  if (!plate.markers.empty()) {
+    const auto found = rig::markerDictionary(plate.dictionary);
+    if (!found) return found.error();
+    dictionary = *found;
+  }
   const int size = grid.size * kDrawnFiner;
   cv::Mat1b fine(size, size, uchar{255});
   constexpr int kShift = 4;  // sixteenths of a fine cell
@@ -357,10 +363,10 @@ Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid)
     return cv::Point(cvRound(fine_cell.x() * (1 << kShift)),
                      cvRound(fine_cell.y() * (1 << kShift)));
   };
-  const int modules = (*dictionary)->markerSize + 2;
+  const int modules = dictionary ? dictionary->markerSize + 2 : 0;
   for (const batch::Marker& marker : plate.markers) {
     cv::Mat bits;
-    (*dictionary)->drawMarker(marker.id, modules, bits, 1);
+    dictionary->drawMarker(marker.id, modules, bits, 1);
     const auto at = [&](int column, int row) {
       const double u = static_cast<double>(column) / modules,
                    v = static_cast<double>(row) / modules;
@@ -390,8 +396,18 @@ Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid)
   return printed;
 }
 
-SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed) {
-  return SheetPainter(samples, printed).run();
+SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed,
+                               Print print) {
+  return SheetPainter(samples, printed, print).run();
+}
+
+void forgetUnseen(std::span<const cv::Mat3b> samples, cv::Mat1f& printed) {
+  for (int row = 0; row < printed.rows; ++row)
+    for (int column = 0; column < printed.cols; ++column) {
+      int seen = 0;
+      for (const cv::Mat3b& sample : samples) seen += isSeen(sample(row, column)) ? 1 : 0;
+      if (seen < 2) printed(row, column) = -1;
+    }
 }
 
 cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const cv::Mat1f& printed,

@@ -48,8 +48,10 @@ struct Poses {
   /// of the reduced picture, unlike in OUT/work/rig/cameras.json.
   std::vector<rig::PosedImage> images;
   rig::Rig rig;           ///< empty without a turntable
-  bool has_scale = true;  ///< false: each side has a size of its own, no length is known
+  bool has_scale = true;  ///< false: no length is known; without a sheet each side has its own size
   std::array<rig::SheetBend, 2> bends = {};  ///< of the printed sheet, by side
+  /// Without a plate, by side: the part that was seen of what the sherds stand on, z = 0.
+  std::array<std::optional<Eigen::AlignedBox2d>, 2> grounds = {};
   std::vector<rig::PosedImage> of(batch::Side side) const;
 };
 

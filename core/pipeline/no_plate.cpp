@@ -15,6 +15,7 @@ Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batc
   if (std::any_of(batch.shots.begin(), batch.shots.end(),
                   [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
     return MaskSource::Given;
+  if (batch.way == batch::Way::FreeCamera) return MaskSource::Views;
   return Error{
       ErrorCode::UnusableInput,
       "Without plate.json the masks cannot be found; put masks beside the photographs, or name a "

@@ -10,13 +10,16 @@
 
 namespace ostraka::pipeline {
 
-/// What is different for a batch without plate.json (the paper's layout): poses from COLMAP with a
-/// size of their own for each side, and masks that came with the photographs.
+/// What is different for a batch without plate.json (the paper's layout, or photographs by hand):
+/// poses from COLMAP with a size of their own for each side, and masks that came with the
+/// photographs or are found from what photographs by hand agree on.
 
-enum class MaskSource { Plate, Given, Network };
+enum class MaskSource { Plate, Given, Network, Views };
 
 /// Where the masks come from: as `masks` ("auto", "given", or a network's path) asks; "auto" means
-/// the plate, or without one the masks that came along. Errors: UnusableInput without any of both.
+/// the plate, or without one the masks that came along, or without these the photographs by hand
+/// themselves. Errors: UnusableInput for a rig's photographs without plate and masks, since the
+/// room that stands still around a turning plate misleads COLMAP.
 Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batch);
 
 /// Lengths that are stated in mm in this program follow from a pixel's size on the object. Without

@@ -8,11 +8,14 @@
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/photo_checks.h"
+#include "pipeline/proposed_sheet.h"
 #include "pipeline/run_log.h"
 #include "pipeline/scale_check.h"
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
 #include "rig/free_cameras.h"
+#include "rig/lenses.h"
+#include "rig/support_plane.h"
 #include "rig/turntable.h"
 
 namespace ostraka::pipeline {
@@ -40,41 +43,108 @@ Result<std::vector<rig::PosedImage>> readCamerasOf(const batch::Batch& batch,
   return images;
 }
 
-// Each side by itself: in its true size where a length is known, else in the nominal one; then
-// their sizes are compared when both have scans.
+constexpr const char* kGrounds = "grounds.json";
+constexpr double kColmapMegapixels = 2;  // more features of finer detail cost time and add nothing
+
+using Grounds = std::array<std::optional<Eigen::AlignedBox2d>, 2>;
+
+// {"unit":"mm","front":{"low":[x,y],"high":[x,y]},"back":null}
+Result<void> writeGrounds(const fs::path& file, const Grounds& grounds) {
+  ordered_json sides{{"unit", "mm"}};
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const auto& box = grounds[sideIndex(side)];
+    sides[batch::name(side)] = box ? ordered_json{{"low", {box->min().x(), box->min().y()}},
+                                                  {"high", {box->max().x(), box->max().y()}}}
+                                   : ordered_json();
+  }
+  return writeJson(file, sides);
+}
+
+Result<Grounds> readGrounds(const fs::path& file) {
+  const Result<nlohmann::json> sides = readJson(file);
+  if (!sides) return sides.error();
+  Grounds grounds;
+  try {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      const nlohmann::json& box = sides->at(batch::name(side));
+      if (box.is_null()) continue;
+      const auto low = box.at("low").get<std::array<double, 2>>(),
+                 high = box.at("high").get<std::array<double, 2>>();
+      grounds[sideIndex(side)] =
+          Eigen::AlignedBox2d(Eigen::Vector2d(low[0], low[1]), Eigen::Vector2d(high[0], high[1]));
+    }
+  } catch (const nlohmann::json::exception&) {
+    return Error::unusable(
+        "It does not say what the sherds stand on; delete it, and that is found again.", file);
+  }
+  return grounds;
+}
+
+struct SidePoses {
+  rig::ColmapPoses poses;
+  std::optional<rig::KnownScale> scale;
+  std::optional<Eigen::AlignedBox2d> ground;
+};
+
+// In its true size where a length is known, else in the nominal one.
+Result<SidePoses> poseSideWithoutPlate(const Run& run, batch::Side side,
+                                       std::vector<batch::Shot> shots, Progress& progress) {
+  const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
+  rig::ColmapPoseOptions options;
+  options.threads = run.options.threads;
+  const bool free = run.batch.way == batch::Way::FreeCamera;
+  if (free) {
+    options.lenses = rig::lensesOf(shots);
+    options.megapixels = kColmapMegapixels;
+    for (batch::Shot& shot : shots) shot.mask_file.clear();  // the room stands still and helps
+  }
+  Result<rig::ColmapPoses> found =
+      rig::poseWithColmap(shots, workspace, options, progress, run.stop);
+  if (!found) return found.error();
+  const Result<std::optional<rig::KnownScale>> known =
+      knownScale(run.batch, side, *found, run.options.threads, run.stop);
+  if (!known) return known.error();
+  SidePoses posed{
+      rig::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found)), *known, {}};
+  if (free)
+    if (const auto plane = rig::findSupportPlane(posed.poses.images, posed.poses.points,
+                                                 Eigen::Vector3d::UnitZ())) {
+      rig::moveTo(posed.poses, plane->plane_from_world);
+      posed.ground = plane->extent;
+    }
+  std::error_code ignored;
+  fs::remove_all(workspace, ignored);
+  return posed;
+}
+
+// Each side by itself; their sizes are compared when both have scans.
 Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   std::vector<rig::PosedImage> images;
   StageNotes notes;
+  Grounds grounds;
   double reprojection_px = 0;
   bool has_scale = true;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     std::vector<batch::Shot> shots;
     for (const batch::Shot& shot : run.batch.shots)
       if (shot.side == side) shots.push_back(shot);
-    const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
-    rig::ColmapPoseOptions options;
-    options.threads = run.options.threads;
+    if (shots.empty()) continue;
     WarningsKept kept(run.progress);
-    const Result<rig::ColmapPoses> found =
-        rig::poseWithColmap(shots, workspace, options, kept, run.stop);
-    if (!found) return found.error();
+    const Result<SidePoses> posed = poseSideWithoutPlate(run, side, shots, kept);
+    if (!posed) return posed.error();
     notes.warnings.insert(notes.warnings.end(), kept.warnings.begin(), kept.warnings.end());
-    const Result<std::optional<rig::KnownScale>> known =
-        knownScale(run.batch, side, *found, run.options.threads, run.stop);
-    if (!known) return known.error();
-    has_scale = has_scale && known->has_value();
-    if (*known)
-      notes.figures[std::string("scale_spread_") + batch::name(side)] = (*known)->relative_spread;
-    const rig::ColmapPoses poses =
-        rig::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found));
+    has_scale = has_scale && posed->scale.has_value();
+    if (posed->scale)
+      notes.figures[std::string("scale_spread_") + batch::name(side)] =
+          posed->scale->relative_spread;
+    const rig::ColmapPoses& poses = posed->poses;
     images.insert(images.end(), poses.images.begin(), poses.images.end());
+    grounds[sideIndex(side)] = posed->ground;
     reprojection_px = std::max(reprojection_px, poses.reprojection_px);
     if (poses.images.size() < shots.size())
       notes.warnings.push_back(std::to_string(shots.size() - poses.images.size()) + " of the " +
                                batch::name(side) +
                                " side's photographs got no pose from COLMAP and are left out.");
-    std::error_code ignored;
-    fs::remove_all(workspace, ignored);
   }
   if (run.options.rig)
     notes.warnings.push_back(
@@ -84,6 +154,8 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   notes.figures["reprojection_rms_px"] = reprojection_px;
   notes.figures["has_scale"] = has_scale;
   if (const Result<void> written = rig::writeCameras(folder / "cameras.json", images); !written)
+    return written.error();
+  if (const Result<void> written = writeGrounds(folder / kGrounds, grounds); !written)
     return written.error();
   return notes;
 }
@@ -278,12 +350,15 @@ Result<Staged<Poses>> poseStage(const Run& run) {
   if (!images) return images.error();
   if (!run.batch.plate) {
     const bool has_scale = record->notes.figures.value("has_scale", false);
-    return atWorkingSize(run, {std::move(*images), {}, has_scale}, *record);
+    const Result<Grounds> grounds = readGrounds(run.work / "rig" / kGrounds);
+    if (!grounds) return grounds.error();
+    return atWorkingSize(run, {std::move(*images), {}, has_scale, {}, *grounds}, *record);
   }
   if (run.batch.way == batch::Way::FreeCamera) {
     const Result<std::array<rig::SheetBend, 2>> bends = readBends(run.work / "rig" / kBends);
     if (!bends) return bends.error();
-    return atWorkingSize(run, {std::move(*images), {}, true, *bends}, *record);
+    const bool has_scale = !hasGuessedSize(run.batch, run.options);
+    return atWorkingSize(run, {std::move(*images), {}, has_scale, *bends}, *record);
   }
   Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
   if (!rig) return rig.error();

@@ -146,10 +146,10 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
 }
 
 // Without a known length the backs are brought to the fronts' size: from here on there is one unit.
-// Returns the factor.
+// Over one sheet of whatever size both have it already. Returns the factor.
 Result<double> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& front, Sides& back,
                           std::vector<ReportStage>& stages) {
-  if (poses.value.has_scale) return 1.0;
+  if (poses.value.has_scale || run.batch.plate) return 1.0;
   const Result<Staged<double>> scale = scaleStage(run, poses, front.scans, back.scans);
   if (!scale) return scale.error();
   stages.push_back({"sizes of the sides", scale->record});
@@ -439,7 +439,7 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const Result<FolderLock> held = claimOutput(options.output, *batch, hashes);
   if (!held) return held.error();
   withdrawResults(options.output);
-  if (isProposed(*batch))
+  if (isProposed(*batch) && !hasGuessedSize(*batch, options))
     if (const Result<void> written = rig::writePlate(options.output / "plate.json", *batch->plate);
         !written)
       return written.error();

@@ -8,14 +8,16 @@
 
 namespace ostraka::pipeline {
 
-/// Photographs by hand without plate.json: the sheet under the sherds is found in those of the
-/// front, its size from ProcessOptions::marker_mm; a warning says so. Leaves a batch alone that has
-/// a plate, was taken on a rig, or of whose markers nobody said how large they are. Errors:
-/// UnusableInput (marker_mm), NotEnough, Cancelled.
+/// Photographs by hand without plate.json: the sheet under the sherds is sought in those of the
+/// front, its size from ProcessOptions::marker_mm; a warning says so. Without marker_mm the size is
+/// a guess (hasGuessedSize), and no sheet is found where there are no markers. Leaves a batch alone
+/// that has a plate or was taken on a rig. Errors: UnusableInput (marker_mm), NotEnough, Cancelled.
 Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& options,
                                  Progress& progress, std::stop_token stop);
 
-/// Whether the plate is such a proposal; process writes it to OUT/plate.json.
+/// Whether the plate is such a proposal; process writes it to OUT/plate.json if its size is known.
 bool isProposed(const batch::Batch& batch);
+/// Whether nobody said how large the proposed sheet's markers are: the result has no scale.
+bool hasGuessedSize(const batch::Batch& batch, const ProcessOptions& options);
 
 }  // namespace ostraka::pipeline

@@ -14,6 +14,7 @@
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/run_log.h"
+#include "pipeline/view_masks.h"
 #include "rig/turntable.h"
 #include "stereo/colmap_door.h"
 #include "stereo/openmvs_door.h"
@@ -134,13 +135,17 @@ TurningPlate turningPlate(const batch::Plate& plate, batch::Way way,
 }
 
 Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images,
-                                   const rig::SheetBend& bend) {
+                                   const rig::SheetBend& bend,
+                                   const std::optional<Eigen::AlignedBox2d>& ground) {
   const Result<MaskSource> source = maskSource(run.options.masks, run.batch);
   if (!source) return source.error();
   if (*source == MaskSource::Given) return givenMasks(run, images);
   const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
   if (!photographs) return photographs.error();
   if (*source == MaskSource::Network) return networkMasks(run, *photographs);
+  if (*source == MaskSource::Views)
+    return masksFromViews(images, *photographs, ground, run.options.threads, run.progress,
+                          run.stop);
   mask::PlateMaskOptions options;
   options.threads = run.options.threads;
   options.bend = bend;
@@ -173,8 +178,8 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     how = sha256(*model);
   }
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const Result<mask::MaskResult> made =
-        makeMasks(run, images, poses.value.bends[sideIndex(side)]);
+    const Result<mask::MaskResult> made = makeMasks(run, images, poses.value.bends[sideIndex(side)],
+                                                    poses.value.grounds[sideIndex(side)]);
     if (!made) return made.error();
     for (std::size_t i = 0; i < images.size(); ++i)
       if (const Result<void> written = writeMask(folder / maskName(images[i]), made->masks[i],

@@ -12,11 +12,31 @@
 #include "base/files.h"
 #include "base/median.h"
 #include "base/parallel.h"
+#include "base/text.h"
+#include "batch/exif.h"
 #include "batch/label_mask.h"
+#include "batch/photograph.h"
+#include "rig/support_plane.h"
 
 namespace ostraka::rig {
 namespace fs = std::filesystem;
 namespace {
+
+// What cameras wrote about their focal length, which copies no longer say; 0 where none did.
+double focalShareOf(const std::vector<batch::Shot>& shots) {
+  std::vector<double> shares;
+  for (const batch::Shot& shot : shots)
+    if (const auto equivalent = batch::readExif(shot.file).focal_length_35mm)
+      shares.push_back(*equivalent / 36.0);
+  return medianOf(shares);
+}
+
+// Each photograph is matched with each other, each feature with each: COLMAP's own 8192 for twenty
+// photographs, and of more photographs so many that matching takes no longer.
+int featuresFor(std::size_t photographs) {
+  const double twenty = 20.0 / static_cast<double>(std::max<std::size_t>(photographs, 20));
+  return std::max(2000, static_cast<int>(8192 * twenty));
+}
 
 class Session {
  public:
@@ -25,25 +45,28 @@ class Session {
       : program_(program),
         workspace_(workspace),
         threads_(std::to_string(options.threads > 0 ? options.threads : availableThreads())),
+        lenses_(options.lenses),
+        megapixels_(options.megapixels),
         progress_(progress),
         stop_(std::move(stop)) {}
 
-  // Links to the photographs, one folder per camera, and masks as COLMAP names them.
+  // Links to the photographs or smaller copies, one folder per lens, and masks as COLMAP names
+  // them.
   Result<void> prepare(const std::vector<batch::Shot>& shots) {
     Result<FolderLock> held = claimWorkspace(workspace_);
     if (!held) return held.error();
     held_.emplace(std::move(*held));
-    std::error_code failed;
+    if (megapixels_ > 0) focal_share_ = focalShareOf(shots);
     for (std::size_t i = 0; i < shots.size(); ++i) {
-      const std::string name = "cam" + std::to_string(shots[i].camera) + "/" + std::to_string(i) +
-                               shots[i].file.extension().string();
+      const int lens = lenses_.empty() ? shots[i].camera : lenses_[i];
+      const std::string name = "cam" + std::to_string(lens) + "/" + std::to_string(i) +
+                               (megapixels_ > 0 ? ".jpg" : shots[i].file.extension().string());
       shot_of_[name] = i;
-      const fs::path link = workspace_ / "images" / name;
-      if (const Result<void> made = makeFolder(link.parent_path()); !made) return made;
-      fs::create_symlink(shots[i].file, link, failed);
-      if (failed) return cannotWrite(link, failed.value());
+      const fs::path image = workspace_ / "images" / name;
+      if (const Result<void> made = makeFolder(image.parent_path()); !made) return made;
+      if (const Result<void> put = putInto(shots[i], image); !put) return put;
       if (shots[i].mask_file.empty()) continue;
-      if (const Result<void> done = writeMask(shots[i].mask_file, name); !done) return done;
+      if (const Result<void> done = writeMask(shots[i], name); !done) return done;
     }
     return {};
   }
@@ -61,6 +84,14 @@ class Session {
         "--ImageReader.camera_model", "SIMPLE_RADIAL",
         // Without a display and CUDA COLMAP aborts unless told so.
         "--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads", threads_};
+    if (megapixels_ > 0) {
+      extract.push_back("--SiftExtraction.max_num_features");
+      extract.push_back(std::to_string(featuresFor(shot_of_.size())));
+    }
+    if (focal_share_ > 0) {
+      extract.push_back("--ImageReader.default_focal_length_factor");
+      extract.push_back(fixed(focal_share_, 4));
+    }
     if (with_masks_) {
       extract.push_back("--ImageReader.mask_path");
       extract.push_back((workspace_ / "masks").string());
@@ -114,18 +145,37 @@ class Session {
   }
 
  private:
-  Result<void> writeMask(const fs::path& file, const std::string& name) {
-    const Result<cv::Mat1b> mask = batch::readLabelMask(file);
+  cv::Mat handed(const cv::Mat& picture) const {
+    if (megapixels_ <= 0) return picture;
+    const Intrinsics small = reducedTo({picture.cols, picture.rows}, megapixels_);
+    return batch::reducedTo(picture, small.width, small.height);
+  }
+
+  Result<void> writeMask(const batch::Shot& shot, const std::string& name) {
+    const Result<cv::Mat1b> mask = batch::readLabelMask(shot.mask_file);
     if (!mask) {
       progress_.note(NoteLevel::Warning,
                      mask.error().sentence() + " This photograph is posed without its mask.");
       return {};
     }
     std::vector<unsigned char> bytes;
-    cv::imencode(".png", *mask, bytes);
+    cv::imencode(".png", handed(*mask), bytes);
     with_masks_ = true;
     return writeFileAtomically(workspace_ / "masks" / (name + ".png"),
                                {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+
+  Result<void> putInto(const batch::Shot& shot, const fs::path& image) const {
+    if (megapixels_ <= 0) {
+      std::error_code failed;
+      fs::create_symlink(shot.file, image, failed);
+      return failed ? Result<void>(cannotWrite(image, failed.value())) : Result<void>();
+    }
+    const Result<cv::Mat> photograph = batch::readPhotograph(shot.file);
+    if (!photograph) return photograph.error();
+    std::vector<unsigned char> bytes;
+    cv::imencode(".jpg", handed(*photograph), bytes, {cv::IMWRITE_JPEG_QUALITY, 95});
+    return writeFileAtomically(image, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
 
   Result<void> step(int done, const std::string& word, const std::vector<std::string>& arguments) {
@@ -137,9 +187,12 @@ class Session {
   fs::path program_, workspace_;
   std::optional<FolderLock> held_;
   std::string threads_;
+  const std::vector<int>& lenses_;
+  double megapixels_;
   Progress& progress_;
   std::stop_token stop_;
   std::map<std::string, std::size_t> shot_of_;
+  double focal_share_ = 0;  ///< focal length per longer side; 0: unknown
   bool with_masks_ = false;
 };
 
@@ -151,11 +204,15 @@ Eigen::Isometry3d turntableOrIdentity(const ColmapPoses& poses) {
   return turntableFromCentres(centres, poses.points).value_or(Eigen::Isometry3d::Identity());
 }
 
-void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& table_from_world) {
+}  // namespace
+
+void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& frame_from_world) {
   for (PosedImage& image : poses.images)
-    image.camera_from_plate = image.camera_from_plate * table_from_world.inverse();
-  for (Eigen::Vector3d& point : poses.points) point = table_from_world * point;
+    image.camera_from_plate = image.camera_from_plate * frame_from_world.inverse();
+  for (Eigen::Vector3d& point : poses.points) point = frame_from_world * point;
 }
+
+namespace {
 
 double low(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -257,6 +314,8 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
     image.side = shots[index].side;
     image.camera = shots[index].camera;
     image.stop = shots[index].stop;
+    if (options.megapixels > 0)
+      image.intrinsics = reduced(image.intrinsics, shots[index].width, shots[index].height);
     poses.images.push_back(image);
   }
   const auto needed = std::max(3.0, std::ceil(options.min_posed_share * shots.size()));
@@ -270,7 +329,7 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
     poses.points.push_back(point.position);
     poses.reprojection_px += point.error_px / static_cast<double>(model->points.size());
   }
-  moveTo(poses, turntableOrIdentity(poses));
+  moveTo(poses, options.lenses.empty() ? turntableOrIdentity(poses) : uprightFrame(poses.images));
   progress.report(3, 3);
   progress.note(NoteLevel::Info, "rig: COLMAP posed " + std::to_string(poses.images.size()) +
                                      " of " + std::to_string(shots.size()) + " photographs");

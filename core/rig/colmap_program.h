@@ -33,6 +33,11 @@ struct ColmapPoseOptions {
   int threads = 0;                ///< <= 0: all processors of this process
   /// Share of a side's photographs that must get a pose; below it the result is not usable.
   double min_posed_share = 0.5;
+  /// By shot: which lens took it (lensesOf). Empty: one lens per camera.
+  std::vector<int> lenses;
+  /// COLMAP is handed copies averaged down to so many millions of pixels; 0: the files themselves,
+  /// which it must be able to read. Poses are those of the photographs in either case.
+  double megapixels = 0;
   Result<void> check() const;
 };
 
@@ -48,13 +53,17 @@ struct ColmapPoses {
 /// Poses of one side's photographs without plate or calibration: COLMAP's features, exhaustive
 /// matching and mapping on the CPU, one lens per camera; masks that came with the shots are used,
 /// so that the room, which does not turn, takes no part. The frame: z is the axis that the cameras
-/// circle about, pointing to their side, origin on it at the height of the lowest points.
+/// circle about, pointing to their side, origin on it at the height of the lowest points; with
+/// shared lenses, as photographs by hand have, uprightFrame.
 /// workspace: a folder that may be filled; it is emptied first. Errors: Missing (no COLMAP),
 /// NotEnough (too few photographs posed), Cancelled, Failed, CannotWrite.
 Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots,
                                    const std::filesystem::path& workspace,
                                    const ColmapPoseOptions& options, Progress& progress,
                                    std::stop_token stop);
+
+/// Into another frame.
+void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& frame_from_world);
 
 /// The same with lengths times `mm_per_unit`, as a known length or a board gives it.
 ColmapPoses scaledTo(ColmapPoses poses, double mm_per_unit);

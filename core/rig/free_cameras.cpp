@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "base/median.h"
 #include "base/text.h"
-#include "batch/exif.h"
 #include "rig/batch_corners.h"
 #include "rig/bundle_adjustment.h"
 #include "rig/held_out.h"
+#include "rig/lenses.h"
 #include "rig/view_pose.h"
 
 namespace ostraka::rig {
@@ -72,20 +70,14 @@ class FreePoser {
   }
   int platePoints() const { return static_cast<int>(4 * batch_.plate->markers.size()); }
 
-  // By size, model and focal length, in the order of the photographs.
   void groupLenses() {
-    std::map<std::tuple<int, int, std::string, double>, int> numbers;
-    for (const batch::Shot& shot : batch_.shots) {
-      const batch::Exif exif = batch::readExif(shot.file);
-      const auto [lens, first] = numbers.try_emplace(
-          {shot.width, shot.height, exif.make + exif.model, exif.focal_length_mm.value_or(0)},
-          static_cast<int>(numbers.size()));
-      lens_.push_back(lens->second);
-      if (!first) continue;
+    lens_ = lensesOf(batch_.shots);
+    for (std::size_t i = 0; i < lens_.size(); ++i) {
+      if (lens_[i] < static_cast<int>(out_.cameras.size())) continue;
       CameraFindings& found = out_.cameras.emplace_back();
-      found.camera = lens->second;
-      found.width = shot.width;
-      found.height = shot.height;
+      found.camera = lens_[i];
+      found.width = batch_.shots[i].width;
+      found.height = batch_.shots[i].height;
     }
   }
 

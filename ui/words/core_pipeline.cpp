@@ -13,6 +13,11 @@ Sentences sentencesOfPipeline() {
           "lie far apart and compare it with plate.json in the output folder."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
+          "No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 "
+          "px), and their size is not known, so the result has no scale. Measure the side of a "
+          "marker's black square and say it with --marker-mm."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
           "The results of this batch are not there any more; compute it again, then decide."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

@@ -30,6 +30,14 @@ TEST(NoPlate, AsksForMasksWhereThereIsNeitherPlateNorMask) {
   EXPECT_EQ(*maskSource("unet.onnx", withMasks(0)), MaskSource::Network);
 }
 
+TEST(NoPlate, FindsMasksFromThePhotographsByHandThemselves) {
+  batch::Batch by_hand = withMasks(0);
+  by_hand.way = batch::Way::FreeCamera;
+  EXPECT_EQ(*maskSource("auto", by_hand), MaskSource::Views);
+  by_hand.shots[0].mask_file = "a.png";
+  EXPECT_EQ(*maskSource("auto", by_hand), MaskSource::Given);
+}
+
 TEST(NoPlate, MakesAPixelAFifthOfAMillimetreWhateverColmapsUnit) {
   rig::ColmapPoses poses;
   poses.images.resize(1);

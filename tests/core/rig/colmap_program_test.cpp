@@ -127,6 +127,39 @@ TEST_F(ColmapProgram, IsHandedMasksOfAnyDepthAndDoesWithoutTheUnreadable) {
   EXPECT_THAT(listener.warnings[0], HasSubstr("broken.png"));
 }
 
+TEST_F(ColmapProgram, HandsOverSmallerCopiesByLensAndGivesCamerasOfThePhotographs) {
+  std::vector<batch::Shot> by_hand = shots(4);
+  for (int k = 0; k < 4; ++k) {
+    by_hand[k].camera = k, by_hand[k].stop = 0;
+    ASSERT_TRUE(cv::imwrite(by_hand[k].file.string(), cv::Mat3b(1200, 1600, {90, 80, 70})));
+  }
+  ColmapModel model;
+  model.cameras.push_back(toColmap(reduced(lens(2600), 800, 600), 1));
+  for (std::uint32_t k = 0; k < 4; ++k)
+    model.images.push_back({k + 1,
+                            1,
+                            lookingDown(0.6, 0.8 * k),
+                            "cam" + std::to_string(k / 2) + "/" + std::to_string(k) + ".jpg",
+                            {}});
+  model.points.push_back({1, {0, 0, 0}, {}, 0.5, {}});
+  ASSERT_TRUE(writeColmapModel(folder_ / "model", model, ColmapFormat::Binary).has_value());
+  ColmapPoseOptions options;
+  options.program = standIn("mkdir -p $out/0 && cp " + (folder_ / "model").string() + "/* $out/0/");
+  options.lenses = {0, 0, 1, 1};
+  options.megapixels = 0.48;
+  QuietProgress quiet;
+  const auto poses = poseWithColmap(by_hand, folder_ / "work", options, quiet, {});
+  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+  const cv::Mat copy = cv::imread((folder_ / "work/images/cam1/2.jpg").string());
+  EXPECT_EQ(copy.size(), cv::Size(800, 600));
+  ASSERT_EQ(poses->images.size(), 4u);
+  EXPECT_EQ(poses->images[2].intrinsics.width, 1600);
+  EXPECT_NEAR(poses->images[2].intrinsics.fx, 2600, 1e-9);
+  EXPECT_NEAR(poses->images[2].intrinsics.cx, lens(2600).cx, 1e-9);
+  // People hold cameras upright and look down: z points up, and all four are above the middle.
+  for (const PosedImage& image : poses->images) EXPECT_GT(image.centre().z(), 300);
+}
+
 TEST_F(ColmapProgram, TrustsTheOutputAndNotTheExitStatus) {
   const auto poses = pose(standIn("exit 0"), 4);
   ASSERT_FALSE(poses.has_value());

@@ -1,0 +1,83 @@
+#include "mask/coarse_heights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "base/median.h"
+
+namespace ostraka::mask {
+namespace {
+
+constexpr int kEdge = 4;         // pixels of the reconstruction, half a window of its stereo
+constexpr float kShownOdds = 6;  // as the plane sweep's at most (raised.cpp)
+
+cv::Mat disc(int radius) {
+  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
+}
+
+// What is enclosed by something raised is raised.
+void fillHoles(cv::Mat1b& raised) {
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(raised.clone(), outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::drawContours(raised, outlines, -1, cv::Scalar(255), cv::FILLED);
+}
+
+}  // namespace
+
+double leastRaised(const PointCloud& cloud, double thickness) {
+  std::vector<float> off;
+  for (const Eigen::Vector3f& p : cloud.points)
+    if (std::abs(p.z()) < thickness) off.push_back(std::abs(p.z()));
+  return 4 * 1.4826 * medianOf(off);
+}
+
+cv::Mat1b shownBy(const PointCloud& cloud, const rig::PosedImage& image, double least_raised) {
+  const cv::Size size(image.intrinsics.width, image.intrinsics.height);
+  cv::Mat1f depth(size, 1e9F);
+  cv::Mat1b shown(size, uchar{kNothingShown});
+  for (const Eigen::Vector3f& point : cloud.points) {
+    const Eigen::Vector3d q = image.camera_from_plate * point.cast<double>();
+    if (q.z() <= 0) continue;
+    const Eigen::Vector2d pixel = image.intrinsics.project(q);
+    if (!(std::abs(pixel.x()) < 1e6 && std::abs(pixel.y()) < 1e6)) continue;
+    const int x0 = cvRound(pixel.x()), y0 = cvRound(pixel.y());
+    const auto z = static_cast<float>(q.z());
+    for (int y = std::max(0, y0 - 1); y <= std::min(size.height - 1, y0 + 1); ++y)
+      for (int x = std::max(0, x0 - 1); x <= std::min(size.width - 1, x0 + 1); ++x)
+        if (z < depth(y, x)) {
+          depth(y, x) = z;
+          shown(y, x) = point.z() > least_raised ? kRaisedShown : kGroundShown;
+        }
+  }
+  cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown;
+  // Single points are noise; gaps of a few pixels are not seen through.
+  cv::morphologyEx(raised, raised, cv::MORPH_OPEN, disc(2));
+  cv::morphologyEx(raised, raised, cv::MORPH_CLOSE, disc(kEdge));
+  fillHoles(raised);
+  cv::morphologyEx(ground, ground, cv::MORPH_CLOSE, disc(kEdge));
+  shown.setTo(kNothingShown);
+  shown.setTo(kGroundShown, ground);
+  shown.setTo(kRaisedShown, raised);
+  return shown;
+}
+
+cv::Mat1f heightsShown(const cv::Mat1b& shown, cv::Size size) {
+  cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown;
+  cv::erode(raised, raised, disc(kEdge));
+  cv::erode(ground, ground, disc(kEdge));
+  cv::Mat1f odds(shown.size(), 0.F), half;
+  odds.setTo(kShownOdds, raised);
+  odds.setTo(-kShownOdds, ground);
+  cv::resize(odds, half, {size.width / 2, size.height / 2}, 0, 0, cv::INTER_LINEAR);
+  return half;
+}
+
+cv::Mat1b mayBeCovered(const cv::Mat1b& shown) {
+  cv::Mat1b covered;
+  cv::dilate(cv::Mat1b(shown == kRaisedShown), covered, disc(kEdge));
+  return covered;
+}
+
+}  // namespace ostraka::mask

@@ -1,0 +1,77 @@
+#include "mask/coarse_heights.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+namespace ostraka::mask {
+namespace {
+
+// 400 x 300 pixels, 500 mm above the ground, straight down: a pixel is 1 mm on the ground.
+rig::PosedImage fromAbove() {
+  rig::PosedImage image;
+  image.intrinsics = {400, 300, 500, 500, 199.5, 149.5, {}};
+  image.camera_from_plate.linear() =
+      Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  image.camera_from_plate.translation().z() = 500;
+  return image;
+}
+
+// A block of 80 x 60 mm and 20 mm height on a ground of 200 x 160 mm that scatters by 0.5 mm. Its
+// top is smooth: nothing was found there but along the rim, 10 mm wide.
+PointCloud block() {
+  std::mt19937 random(2);
+  std::normal_distribution<float> noise(0, 0.5F);
+  PointCloud cloud;
+  for (int x = -100; x <= 100; ++x)
+    for (int y = -80; y <= 80; ++y) {
+      const bool on_block = std::abs(x) <= 40 && std::abs(y) <= 30;
+      const bool smooth = std::abs(x) < 30 && std::abs(y) < 20;
+      if (!smooth)
+        cloud.points.emplace_back(static_cast<float>(x), static_cast<float>(y),
+                                  (on_block ? 20 : 0) + noise(random));
+    }
+  return cloud;
+}
+
+TEST(CoarseHeights, WhatIsRaisedLiesFourDeviationsAboveTheGround) {
+  EXPECT_NEAR(leastRaised(block(), 5), 2, 0.1);
+  EXPECT_EQ(leastRaised({}, 5), 0);
+}
+
+TEST(CoarseHeights, ShowTheBlockWholeAndTheGroundAroundItAndNothingBeyond) {
+  const rig::PosedImage image = fromAbove();
+  const cv::Mat1b shown = shownBy(block(), image, 2);
+  ASSERT_EQ(shown.size(), cv::Size(400, 300));
+  // 20 mm nearer to the camera the block is larger by 500 / 480.
+  const double expected = 81.0 * 61 * (500.0 / 480) * (500.0 / 480);
+  EXPECT_NEAR(cv::countNonZero(shown == kRaisedShown), expected, 0.06 * expected);
+  EXPECT_EQ(shown(150, 200), kRaisedShown) << "the smooth middle is enclosed";
+  EXPECT_EQ(shown(150, 260), kGroundShown);
+  EXPECT_EQ(shown(150, 350), kNothingShown);
+}
+
+TEST(CoarseHeights, SayNothingAlongTheEdgeAndTakeItForCovered) {
+  const cv::Mat1b shown = shownBy(block(), fromAbove(), 2);
+  const cv::Mat1f odds = heightsShown(shown, {800, 600});
+  ASSERT_EQ(odds.size(), cv::Size(400, 300));
+  EXPECT_GT(odds(150, 200), 3);
+  EXPECT_LT(odds(150, 260), -3);
+  const int edge = 200 + 42;
+  EXPECT_EQ(odds(150, edge), 0);
+  EXPECT_EQ(odds(150, 350), 0);
+  const cv::Mat1b covered = mayBeCovered(shown);
+  EXPECT_EQ(covered(150, edge + 2), 255);
+  EXPECT_EQ(covered(150, 260), 0);
+}
+
+TEST(CoarseHeights, IgnoreSinglePointsInTheAir) {
+  PointCloud cloud = block();
+  cloud.points.emplace_back(70.F, 60.F, 30.F);
+  EXPECT_EQ(cv::countNonZero(shownBy(cloud, fromAbove(), 2) != shownBy(block(), fromAbove(), 2)), 0)
+      << "and the ground below it is closed again";
+}
+
+}  // namespace
+}  // namespace ostraka::mask

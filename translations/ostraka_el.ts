@@ -9310,9 +9310,9 @@
       <translation>Φύλλο: %1</translation>
     </message>
     <message>
-      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χωρίς φύλλο: δεν υπάρχει plate.json δίπλα στις φωτογραφίες. Επιλέξτε αυτό που τυπώθηκε.</translation>
+      <translation>Δεν υπάρχει plate.json κάποιου φύλλου δίπλα στις φωτογραφίες. Επιλέξτε αυτό που τυπώθηκε· χωρίς αυτό το αποτέλεσμα δεν έχει κλίμακα.</translation>
     </message>
     <message>
       <source>%1: none</source>

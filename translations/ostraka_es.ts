@@ -9310,9 +9310,9 @@
       <translation>Hoja: %1</translation>
     </message>
     <message>
-      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sin hoja: no hay plate.json junto a las fotos. Elija la que se imprimió.</translation>
+      <translation>Junto a las fotografías no hay ningún plate.json de una hoja. Elija el que se imprimió; sin él el resultado no tiene escala.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -9310,9 +9310,9 @@
       <translation>Feuille : %1</translation>
     </message>
     <message>
-      <source>No sheet: no plate.json lies beside the photographs. Choose the one that was printed.</source>
+      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas de feuille : aucun plate.json à côté des photos. Choisissez celle qui a été imprimée.</translation>
+      <translation>Aucun plate.json d’une feuille ne se trouve à côté des photographies. Choisissez celui qui a été imprimé ; sans lui, le résultat n’a pas d’échelle.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -1,0 +1,68 @@
+// What becomes of photographs by hand that no plate.json describes.
+#include "pipeline/proposed_sheet.h"
+
+#include <gmock/gmock.h>
+
+#include "batch/photographs.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+using testing::HasSubstr;
+
+class Told final : public Progress {
+ public:
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view text) override { all += std::string(text) + "\n"; }
+  std::string all;
+};
+
+batch::Batch photographsIn(const char* folder) {
+  batch::Batch batch;
+  batch.folder = std::string(OSTRAKA_SHARED_DIR) + folder;
+  batch.way = batch::Way::FreeCamera;
+  int camera = 0;
+  for (const auto& file : batch::photographsIn(batch.folder))
+    batch.shots.push_back({batch::Side::Front, camera++, 0, file, {}, 0, 0});
+  return batch;
+}
+
+TEST(ProposedSheet, HasNoScaleUntilSomebodySaysHowLargeItsMarkersAre) {
+  batch::Batch batch = photographsIn("/batches/hand/front");
+  ProcessOptions options;
+  Told told;
+  const Result<void> done = proposeMissingSheet(batch, options, told, {});
+  ASSERT_TRUE(done.has_value()) << done.error().sentence();
+  ASSERT_TRUE(batch.plate && batch.plate->sheet);
+  EXPECT_EQ(batch.plate->markers.size(), 32u);
+  EXPECT_TRUE(isProposed(batch));
+  EXPECT_TRUE(hasGuessedSize(batch, options));
+  EXPECT_THAT(told.all, HasSubstr("--marker-mm"));
+  EXPECT_THAT(told.all, HasSubstr("no scale"));
+  options.marker_mm = 20;
+  EXPECT_FALSE(hasGuessedSize(batch, options));
+}
+
+TEST(ProposedSheet, IsNoneWhereThePhotographsShowNoMarkers) {
+  batch::Batch batch = photographsIn("/real/statue");  // coded targets, of no dictionary
+  ProcessOptions options;
+  Told told;
+  EXPECT_TRUE(proposeMissingSheet(batch, options, told, {}).has_value());
+  EXPECT_FALSE(batch.plate.has_value());
+  EXPECT_EQ(told.all, "");
+  options.marker_mm = 20;
+  const Result<void> asked = proposeMissingSheet(batch, options, told, {});
+  ASSERT_FALSE(asked.has_value()) << "a size was said, so markers were expected";
+  EXPECT_EQ(asked.error().code, ErrorCode::NotEnough);
+}
+
+TEST(ProposedSheet, IsNotSoughtOnARig) {
+  batch::Batch batch = photographsIn("/batches/hand/front");
+  batch.way = batch::Way::Rig;
+  Told told;
+  EXPECT_TRUE(proposeMissingSheet(batch, {}, told, {}).has_value());
+  EXPECT_FALSE(batch.plate.has_value());
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

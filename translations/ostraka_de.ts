@@ -7754,6 +7754,16 @@
       <translation>%1 der %2 Marken des Tellers sind auf keinem Foto der Vorderseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
     <message>
+      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle Fotos der Rückseite sind unscharf: Selbst im schärfsten sind die Kanten der Marker %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu fotografieren.</translation>
+    </message>
+    <message>
+      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle Fotos der Vorderseite sind unscharf: Selbst im schärfsten sind die Kanten der Marker %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu fotografieren.</translation>
+    </message>
+    <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Marken des Tellers sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
@@ -8097,6 +8107,16 @@
       <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 Marken des Blattes sind darin lesbar, zu wenige für eine Lage; es wird weggelassen.</translation>
+    </message>
+    <message>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos, die für eine Pose zu wenige Marker des Bogens zeigen, werden ausgelassen (%1 und %2 weitere); prüfen, ob sie diesen Bogen zeigen.</translation>
+    </message>
+    <message>
+      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Die meisten Marker des Bogens liegen darin anders, als die übrigen Fotos sagen; es wird ausgelassen.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>

@@ -7749,6 +7749,16 @@
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της μπροστινής όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
     </message>
     <message>
+      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλες οι φωτογραφίες της πίσω πλευράς είναι θολές: ακόμη και στην πιο καθαρή οι ακμές των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την πλευρά.</translation>
+    </message>
+    <message>
+      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλες οι φωτογραφίες της μπροστινής πλευράς είναι θολές: ακόμη και στην πιο καθαρή οι ακμές των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την πλευρά.</translation>
+    </message>
+    <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της πίσω όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
@@ -8092,6 +8102,16 @@
       <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: διαβάζονται %2 δείκτες του φύλλου, πολύ λίγοι για θέση· παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παραλείπονται φωτογραφίες που δείχνουν πολύ λίγους δείκτες του φύλλου για μια θέση (%1 και %2 ακόμη)· δείτε αν δείχνουν αυτό το φύλλο.</translation>
+    </message>
+    <message>
+      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: οι περισσότεροι δείκτες του φύλλου βρίσκονται εκεί σε άλλη θέση από ό,τι δείχνουν οι άλλες φωτογραφίες· παραλείπεται.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>

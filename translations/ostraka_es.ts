@@ -5576,12 +5576,12 @@
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún plate.json describe la hoja: se encontraron %1 marcadores de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcadores alejados y compárela con plate.json en la carpeta de salida.</translation>
+      <translation>Ningún plate.json describe la hoja: se encontraron %1 marcas de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcadores alejados y compárela con plate.json en la carpeta de salida.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún plate.json describe la hoja: en las fotografías se encontraron %1 marcadores de %2 (%3 px) y no se conoce su tamaño, por lo que el resultado no tiene escala. Mida el lado del cuadrado negro de un marcador e indíquelo con --marker-mm.</translation>
+      <translation>Ningún plate.json describe la hoja: en las fotografías se encontraron %1 marcas de %2 (%3 px) y no se conoce su tamaño, por lo que el resultado no tiene escala. Mida el lado del cuadrado negro de una marca e indíquelo con --marker-mm.</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -7749,6 +7749,16 @@
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del anverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
     <message>
+      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todas las fotografías del reverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y fotografíe de nuevo este lado.</translation>
+    </message>
+    <message>
+      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todas las fotografías del anverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y fotografíe de nuevo este lado.</translation>
+    </message>
+    <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
@@ -8092,6 +8102,16 @@
       <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: en ella se leen %2 marcas de la hoja, muy pocas para una pose; se deja fuera.</translation>
+    </message>
+    <message>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se omiten fotografías que muestran muy pocas marcas de la hoja para una pose (%1 y %2 más); compruebe si muestran esta hoja.</translation>
+    </message>
+    <message>
+      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: la mayoría de las marcas de la hoja están en ella en otro lugar del que indican las demás fotografías; se omite.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>

@@ -5581,7 +5581,7 @@
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun plate.json ne décrit la feuille : %1 marqueurs de %2 ont été trouvés sur les photographies (%3 px) et leur taille n’est pas connue ; le résultat n’a donc pas d’échelle. Mesurez le côté du carré noir d’un marqueur et indiquez-le avec --marker-mm.</translation>
+      <translation>Aucun plate.json ne décrit la feuille : %1 marques de %2 ont été trouvés sur les photographies (%3 px) et leur taille n’est pas connue ; le résultat n’a donc pas d’échelle. Mesurez le côté du carré noir d’une marque et indiquez-le avec --marker-mm.</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -7749,6 +7749,16 @@
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face avant (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
     <message>
+      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les photographies de la face arrière sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses scans sont donc grossiers. Vérifiez la mise au point et la vitesse d’obturation et photographiez ce côté à nouveau.</translation>
+    </message>
+    <message>
+      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les photographies de la face avant sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses scans sont donc grossiers. Vérifiez la mise au point et la vitesse d’obturation et photographiez ce côté à nouveau.</translation>
+    </message>
+    <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
@@ -8092,6 +8102,16 @@
       <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; elle est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des photographies montrant trop peu de marques de la feuille pour une pose sont laissées de côté (%1 et %2 autres) ; vérifiez qu’elles montrent cette feuille.</translation>
+    </message>
+    <message>
+      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : la plupart des marques de la feuille s’y trouvent ailleurs que ne le disent les autres photographies ; elle est laissée de côté.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>

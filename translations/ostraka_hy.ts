@@ -5581,7 +5581,7 @@
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2 բառարանի %1 նշիչ (%3 px), և դրանց չափը հայտնի չէ, ուստի արդյունքը մասշտաբ չունի։ Չափեք նշիչի սև քառակուսու կողմը և նշեք այն --marker-mm-ով։</translation>
+      <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2 բառարանի %1 նշան (%3 px), և դրանց չափը հայտնի չէ, ուստի արդյունքը մասշտաբ չունի։ Չափեք նշանի սև քառակուսու կողմը և նշեք այն --marker-mm-ով։</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -7749,6 +7749,16 @@
       <translation>Սկավառակի %2 նշիչներից %1-ը առջևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
     </message>
     <message>
+      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի կողմի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշանների եզրերը %1 պիքսել լայն են, ուստի դրա սկաները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և նորից լուսանկարեք այս կողմը։</translation>
+    </message>
+    <message>
+      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի կողմի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշանների եզրերը %1 պիքսել լայն են, ուստի դրա սկաները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և նորից լուսանկարեք այս կողմը։</translation>
+    </message>
+    <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %2 նշիչներից %1-ը հետևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
@@ -8092,6 +8102,16 @@
       <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: կարդացվում է թերթի %2 նշան, շատ քիչ՝ դիրքի համար. բաց է թողնված։</translation>
+    </message>
+    <message>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց են թողնվում լուսանկարներ, որոնք դիրքի համար թերթի շատ քիչ նշաններ են ցույց տալիս (%1 և ևս %2). ստուգեք՝ արդյոք դրանք այս թերթն են ցույց տալիս։</translation>
+    </message>
+    <message>
+      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. թերթի նշանների մեծ մասը դրանում այլ տեղում է, քան ցույց են տալիս մյուս լուսանկարները. այն բաց է թողնվում։</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>

@@ -5533,7 +5533,7 @@
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir plate.json sayfayı tanımlamıyor: fotoğraflarda %2 sözlüğünden %1 işaretçi bulundu (%3 px) ve boyutları bilinmiyor; bu yüzden sonucun ölçeği yok. Bir işaretçinin siyah karesinin kenarını ölçün ve --marker-mm ile belirtin.</translation>
+      <translation>Hiçbir plate.json sayfayı tanımlamıyor: fotoğraflarda %2 sözlüğünden %1 işaret bulundu (%3 px) ve boyutları bilinmiyor; bu yüzden sonucun ölçeği yok. Bir işaretnin siyah karesinin kenarını ölçün ve --marker-mm ile belirtin.</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -7701,6 +7701,16 @@
       <translation>Tablanın %2 işaretinden %1 tanesi ön yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
     </message>
     <message>
+      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
+      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %2 işaretinden %1 tanesi arka yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
@@ -8044,6 +8054,16 @@
       <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: sayfanın %2 işareti okunabiliyor, konum için çok az; dışarıda bırakıldı.</translation>
+    </message>
+    <message>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Konum için sayfanın çok az işaretini gösteren fotoğraflar dışarıda bırakılıyor (%1 ve %2 tane daha); bu sayfayı gösterip göstermediklerine bakın.</translation>
+    </message>
+    <message>
+      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: sayfanın işaretlerinin çoğu bu fotoğrafta ötekilerin gösterdiğinden başka yerde; fotoğraf dışarıda bırakılıyor.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>

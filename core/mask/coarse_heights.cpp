@@ -51,12 +51,16 @@ cv::Mat1b shownBy(const PointCloud& cloud, const rig::PosedImage& image, double 
           shown(y, x) = point.z() > least_raised ? kRaisedShown : kGroundShown;
         }
   }
-  cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown;
+  cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown, covered;
   // Single points are noise; gaps of a few pixels are not seen through.
   cv::morphologyEx(raised, raised, cv::MORPH_OPEN, disc(2));
   cv::morphologyEx(raised, raised, cv::MORPH_CLOSE, disc(kEdge));
-  fillHoles(raised);
   cv::morphologyEx(ground, ground, cv::MORPH_CLOSE, disc(kEdge));
+  fillHoles(raised);
+  cv::Mat1b surely;  // the ground, seen below an arch or between sherds that lie in a ring
+  cv::morphologyEx(ground, surely, cv::MORPH_OPEN, disc(2));
+  cv::morphologyEx(cv::Mat1b(shown == kRaisedShown), covered, cv::MORPH_CLOSE, disc(kEdge));
+  raised.setTo(0, surely & ~covered);
   shown.setTo(kNothingShown);
   shown.setTo(kGroundShown, ground);
   shown.setTo(kRaisedShown, raised);

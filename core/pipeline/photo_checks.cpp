@@ -74,6 +74,18 @@ std::string blurWarning(const std::string& file, double edge_px, double sharpest
   return file + text;
 }
 
+// Nothing is left out: they are all there is.
+std::string allBlurredWarning(batch::Side side, double edge_px) {
+  char text[250];
+  std::snprintf(
+      text, sizeof text,
+      "All photographs of the %s side are blurred: even in the sharpest the markers' edges "
+      "are %.0f pixels wide, so its scans are coarse. Look at focus and shutter speed, and "
+      "photograph this side again.",
+      batch::name(side), edge_px);
+  return text;
+}
+
 std::string coverWarning(batch::Side side, const std::vector<int>& covered, std::size_t markers) {
   std::string ids;
   for (const int id : covered) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
@@ -117,6 +129,17 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
         std::count_if(images.begin(), images.end(),
                       [&, of = side](const rig::PosedImage& image) { return image.side == of; }));
   PhotoFindings findings;
+  std::map<batch::Side, double> sharpest_used;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const rig::Intrinsics& whole = images[i].intrinsics;
+    const double used =
+        (*looks[i])->edge_px * rig::reducedTo(whole, options.megapixels).width / whole.width;
+    double& best = sharpest_used[images[i].side];
+    if (used > 0) best = best > 0 ? std::min(best, used) : used;
+  }
+  for (const auto& [side, edge_px] : sharpest_used)
+    if (edge_px > options.widest_sharp_px)
+      findings.warnings.push_back(allBlurredWarning(side, edge_px));
   for (const std::size_t i : blurred) {
     const bool left_out = shares[images[i].side] <= options.most_left_out;
     findings.warnings.push_back(

@@ -13,10 +13,14 @@ namespace ostraka::pipeline {
 struct PhotoCheckOptions {
   double most_edge_growth = 1.4;  ///< markers' edges wider than the camera's sharpest are a blur
   double wide_edge_px = 0.5;      ///< and wider by this: edges are known to 0.1 px
-  double most_left_out = 0.25;    ///< of a side's photographs, for a blur; more of them stay in use
-  double least_step = 30;         ///< grey values from a marker's black to its paper, of 255
-  double most_covered = 0.1;      ///< share of the markers that no photograph of a side shows
-  bool one_camera = false;        ///< photographs by hand: PosedImage::camera counts them
+  /// All of a side are blurred when even its sharpest edge is wider than this once the photographs
+  /// have the size that they are used in; sharp ones have 2 to 4 pixels.
+  double widest_sharp_px = 6;
+  double megapixels = 5;        ///< that size, at most
+  double most_left_out = 0.25;  ///< of a side's photographs, for a blur; more of them stay in use
+  double least_step = 30;       ///< grey values from a marker's black to its paper, of 255
+  double most_covered = 0.1;    ///< share of the markers that no photograph of a side shows
+  bool one_camera = false;      ///< photographs by hand: PosedImage::camera counts them
   int threads = 0;
 };
 

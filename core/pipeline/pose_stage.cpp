@@ -205,6 +205,7 @@ void leaveOut(rig::BatchPoses& poses, std::size_t index) {
 Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
   PhotoCheckOptions options;
   options.one_camera = run.batch.way == batch::Way::FreeCamera;
+  options.megapixels = run.options.megapixels;
   options.threads = run.options.threads;
   const Result<PhotoFindings> found =
       checkPhotographs(poses.images, *run.batch.plate, options, run.stop);

@@ -11,11 +11,11 @@
 namespace ostraka::pipeline {
 namespace {
 
-constexpr double kCoarseMegapixels = 0.5;  // enough to tell a sherd of 5 mm height from a table
-// Of the common sight's radius: how far below and above the ground, and beyond what was seen of it,
-// things are looked for, and how far from it its own points may lie.
-constexpr double kSoughtBelow = 0.2, kSoughtAbove = 2, kSoughtBeyond = 0.25,
-                 kGroundThickness = 0.05;
+constexpr double kCoarseMegapixels = 0.25;  // enough to tell a sherd of 5 mm height from a table
+// Of the common sight's radius: how far below and above the ground things are looked for, and how
+// far from it its own points may lie. Beyond what was seen of the ground nothing is: what surrounds
+// it is blurred, or too plain, and stereo finds heights there that are none.
+constexpr double kSoughtBelow = 0.2, kSoughtAbove = 2, kGroundThickness = 0.05;
 
 // What stands on the ground, photograph by photograph.
 Result<std::vector<cv::Mat1b>> shownOn(const Eigen::AlignedBox2d& ground,
@@ -30,10 +30,9 @@ Result<std::vector<cv::Mat1b>> shownOn(const Eigen::AlignedBox2d& ground,
                                            views[i].camera.intrinsics.height);
   });
   const double reach = rig::commonSight(images).radius;
-  const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kSoughtBeyond * reach);
   Eigen::AlignedBox3d bounds;
-  bounds.min() << ground.min() - beyond, -kSoughtBelow * reach;
-  bounds.max() << ground.max() + beyond, kSoughtAbove * reach;
+  bounds.min() << ground.min(), -kSoughtBelow * reach;
+  bounds.max() << ground.max(), kSoughtAbove * reach;
   stereo::DenseOptions options;
   options.threads = threads;
   options.bounds = bounds;

@@ -15,9 +15,11 @@ namespace ostraka::rig {
 namespace {
 
 constexpr int kFewestViews = 3;
-constexpr double kBend = 0.02;       // of the sheet's half diagonal: 3.6 mm for A4
-constexpr double kMostBent = 0.1;    // of the corner's distance from the middle
-constexpr double kNamedBend_mm = 1;  // a sheet this flat harms nothing
+constexpr double kBend = 0.02;          // of the sheet's half diagonal: 3.6 mm for A4
+constexpr double kMostBent = 0.1;       // of the corner's distance from the middle
+constexpr std::size_t kNamedAlone = 3;  // of more photographs one sentence tells
+constexpr double kMostDropped = 0.5;    // of a photograph's markers; a pose from fewer is chance
+constexpr double kNamedBend_mm = 1;     // a sheet this flat harms nothing
 
 // Markers in one part of a picture do not determine the higher terms of a lens: what would move the
 // picture's corner by a tenth is none's. Without them the adjustment finds those that it can.
@@ -71,14 +73,33 @@ class FreePoser {
   int platePoints() const { return static_cast<int>(4 * batch_.plate->markers.size()); }
 
   void groupLenses() {
-    lens_ = lensesOf(batch_.shots);
+    by_exif_ = lensesOf(batch_.shots);
+    std::vector<TargetView> views;
+    for (std::size_t i = 0; i < markers_.size(); ++i) views.push_back(viewOf(i));
+    lens_ = toldApart(by_exif_, batch_.shots, views);
+    int count = 0;
+    for (const int lens : lens_) count = std::max(count, lens + 1);
+    out_.cameras.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < lens_.size(); ++i) {
-      if (lens_[i] < static_cast<int>(out_.cameras.size())) continue;
-      CameraFindings& found = out_.cameras.emplace_back();
+      CameraFindings& found = out_.cameras[static_cast<std::size_t>(lens_[i])];
       found.camera = lens_[i];
       found.width = batch_.shots[i].width;
       found.height = batch_.shots[i].height;
     }
+    if (lens_ != by_exif_)
+      inform("rig: photographs of one camera were taken at several focal lengths; " +
+             std::to_string(count) + " lenses are told apart");
+  }
+
+  TargetView viewOf(std::size_t shot) const {
+    TargetView view;
+    view.file = batch_.shots[shot].file.string();
+    for (const PlacedMarker& marker : markers_[shot])
+      for (int c = 0; c < 4; ++c) {
+        view.points.push_back(marker.corners[c]);
+        view.pixels.push_back(marker.seen.corners[c]);
+      }
+    return view;
   }
 
   Result<Intrinsics> lensFromMarkers(int lens) const {
@@ -88,14 +109,7 @@ class FreePoser {
       if (lens_[i] != lens) continue;
       width = batch_.shots[i].width;
       height = batch_.shots[i].height;
-      if (markers_[i].size() < 4) continue;
-      TargetView& view = views.emplace_back();
-      view.file = batch_.shots[i].file.string();
-      for (const PlacedMarker& marker : markers_[i])
-        for (int c = 0; c < 4; ++c) {
-          view.points.push_back(marker.corners[c]);
-          view.pixels.push_back(marker.seen.corners[c]);
-        }
+      if (markers_[i].size() >= 4) views.push_back(viewOf(i));
     }
     Result<IntrinsicsReport> report = calibrateIntrinsics(views, width, height);
     if (!report) report = intrinsicsFromPlate(views, width, height);
@@ -109,14 +123,15 @@ class FreePoser {
       const Result<Intrinsics> lens = lensFromMarkers(static_cast<int>(k));
       lenses.push_back(lens ? std::optional(*lens) : std::nullopt);
     }
+    std::vector<std::size_t> unposed;
     dropped_.resize(markers_.size());
     camera_of_.assign(markers_.size(), -1);
     for (std::size_t i = 0; i < markers_.size(); ++i) {
       dropped_[i].assign(markers_[i].size(), 0);
+      const auto pose = poseByBestLens(i, lenses);
       const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(lens_[i])];
-      const auto pose = lens ? poseFromMarkers(markers_[i], *lens) : std::nullopt;
       if (!pose) {
-        if (readable_[i]) warn(unposed(i));
+        if (readable_[i]) unposed.push_back(i);
         continue;
       }
       for (std::size_t m = 0; m < markers_[i].size(); ++m)
@@ -127,15 +142,51 @@ class FreePoser {
       camera.camera_from_turntable = pose->camera_from_plate;
       lens_of_camera_.push_back(lens_[i]);
     }
+    nameUnposed(unposed);
     for (std::vector<double>& angles : state_.angles_rad) angles = {0};
     state_.print_errors_mm.assign(static_cast<std::size_t>(2 * platePoints()),
                                   Eigen::Vector3d::Zero());
     return enoughViews();
   }
 
-  std::string unposed(std::size_t shot) const {
-    return batch_.shots[shot].file.string() + ": " + std::to_string(markers_[shot].size()) +
-           " of the sheet's markers can be read in it, too few for a pose; it is left out.";
+  // One photograph does not always tell its own focal length: of the lenses that its camera was
+  // found to have it gets the one with which most of its markers agree.
+  std::optional<PoseFromMarkers> poseByBestLens(
+      std::size_t shot, const std::vector<std::optional<Intrinsics>>& lenses) {
+    std::optional<PoseFromMarkers> best;
+    std::ptrdiff_t most = -1;
+    for (const int k : lensesOfCamera(by_exif_[shot], lens_[shot])) {
+      const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(k)];
+      auto pose = lens ? poseFromMarkers(markers_[shot], *lens) : std::nullopt;
+      if (!pose) continue;
+      const std::ptrdiff_t agree = std::count(pose->agrees.begin(), pose->agrees.end(), char{1});
+      if (agree > most) most = agree, best = std::move(pose), lens_[shot] = k;
+    }
+    return best;
+  }
+
+  // All that were told apart of one by EXIF; `first` comes first.
+  std::vector<int> lensesOfCamera(int by_exif, int first) const {
+    std::vector<int> lenses{first};
+    for (std::size_t i = 0; i < lens_.size(); ++i)
+      if (by_exif_[i] == by_exif &&
+          std::find(lenses.begin(), lenses.end(), lens_[i]) == lenses.end())
+        lenses.push_back(lens_[i]);
+    return lenses;
+  }
+
+  void nameUnposed(const std::vector<std::size_t>& shots) {
+    if (shots.size() > kNamedAlone) {
+      std::string names;
+      for (std::size_t k = 0; k < kNamedAlone; ++k)
+        names += (k > 0 ? ", " : "") + batch_.shots[shots[k]].file.filename().string();
+      return warn("Photographs that show too few of the sheet's markers for a pose are left out (" +
+                  names + " and " + std::to_string(shots.size() - kNamedAlone) +
+                  " more); look whether they show this sheet.");
+    }
+    for (const std::size_t shot : shots)
+      warn(batch_.shots[shot].file.string() + ": " + std::to_string(markers_[shot].size()) +
+           " of the sheet's markers can be read in it, too few for a pose; it is left out.");
   }
 
   Result<void> enoughViews() const {
@@ -292,6 +343,13 @@ class FreePoser {
         residuals[static_cast<std::size_t>(lens_[i])].push_back(error);
         ++used;
       }
+      if (used < (1 - kMostDropped) * static_cast<double>(markers_[i].size())) {
+        warn(shot.file.string() +
+             ": most of the sheet's markers lie elsewhere in it than the other photographs say; it "
+             "is left out.");
+        camera_of_[i] = -1;
+        continue;
+      }
       sum += squares;
       count += 4 * used;
       out_.images.push_back({shot.file.string(), shot.side, shot.camera, shot.stop,
@@ -299,6 +357,7 @@ class FreePoser {
       out_.rms_per_image_px.push_back(used > 0 ? std::sqrt(squares / (4 * used)) : 0);
       out_.markers_per_image.push_back(used);
     }
+    if (const Result<void> enough = enoughViews(); !enough) return enough.error();
     for (std::size_t k = 0; k < residuals.size(); ++k) {
       out_.cameras[k].marker_corners = static_cast<int>(4 * residuals[k].size());
       out_.cameras[k].median_residual_px = medianOf(residuals[k]);
@@ -322,7 +381,8 @@ class FreePoser {
   std::vector<std::vector<PlacedMarker>> markers_;  // by shot
   std::vector<char> readable_;                      // by shot
   std::vector<std::vector<char>> dropped_;          // by shot and marker
-  std::vector<int> lens_;                           // by shot
+  std::vector<int> by_exif_;                        // by shot: lenses as cameras tell them
+  std::vector<int> lens_;                           // by shot: as markers tell them, too
   std::vector<int> camera_of_;                      // by shot: index in state_.cameras, or -1
   std::vector<int> lens_of_camera_;                 // by index in state_.cameras
   RigState state_;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kFocusSd = 0.01;      // of a telephone's focal length, a share
 constexpr double kPrincipalSd = 0.02;  // of the longer side
 constexpr double kDistortionSd = 0.3;  // k1, k2 of lenses without a fisheye
-constexpr double kSheetLoss_px = 2;       // px; what is farther off counts less and less
+constexpr double kSheetLoss_px = 2;    // px; what is farther off counts less and less
 constexpr double kSheetSd_px = 0.5;    // paper is not flat, and edges are fitted to 0.06 px
 
 using Lens = std::array<double, 5>;  // focal length and principal point by the longer side, k1, k2

@@ -15,7 +15,7 @@ constexpr double kNearRadii = 2;     // of the common sight: what lies farther a
 constexpr double kThickness = 0.01;  // of the sight's radius: what sparse points scatter by
 constexpr double kLeastPlaneShare = 0.1;
 constexpr std::size_t kFewestPoints = 30;
-constexpr double kBelowShare = 0.2;  // of the points on the plane: wild ones, and past its edges
+constexpr double kBelowShare = 0.2;   // of the points on the plane: wild ones, and past its edges
 constexpr double kSteepest = 0.5;     // cosine to `up`: 60 degrees
 constexpr double kLeastExtent = 0.5;  // of the sight's radius, in both directions
 

@@ -114,6 +114,16 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "%1: The photograph is blurred: its edges are %2 pixels wide, those of the "
                         "camera's sharpest %3; take it again."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "All photographs of the front side are blurred: even in the sharpest the markers' edges "
+          "are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and "
+          "photograph this side again."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "All photographs of the back side are blurred: even in the sharpest the markers' edges "
+          "are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and "
+          "photograph this side again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "%1 of the plate's %2 markers are on no photograph of the front side (%3); "
                         "the cameras rest on the others, so take off what covers them."),

@@ -46,6 +46,14 @@ Sentences sentencesOfRig() {
           "ostraka::Error",
           "%1: %2 of the sheet's markers can be read in it, too few for a pose; it is "
           "left out."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "%1: most of the sheet's markers lie elsewhere in it than the other photographs say; it "
+          "is left out."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Photographs that show too few of the sheet's markers for a pose are left out (%1 and %2 "
+          "more); look whether they show this sheet."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Only one side was photographed: its %1 scans are open surfaces without a "
                         "back; they are in 'unpaired'."),

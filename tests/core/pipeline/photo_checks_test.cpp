@@ -95,6 +95,24 @@ TEST_F(PhotoChecks, LeaveOutTheBlurredOneAndNameIt) {
   EXPECT_THAT(found->spoilt, ElementsAre(1U));
 }
 
+TEST_F(PhotoChecks, SayOnceThatAllOfASideAreBlurred) {
+  for (int stop = 0; stop < 3; ++stop) photograph(batch::Side::Front, stop, 3.5);
+  photograph(batch::Side::Back, 0, 3.5);
+  images_.back().camera = 1;
+  // Edges of 3.5 sqrt(2 pi) = 8.8 pixels, of which a window beside the margin shows 8.
+  const auto found = check();
+  ASSERT_TRUE(found.has_value());
+  EXPECT_THAT(found->warnings,
+              ElementsAre(AllOf(HasSubstr("All photographs of the front side are blurred"),
+                                HasSubstr(" 8 pixels")),
+                          HasSubstr("back side")));
+  EXPECT_THAT(found->spoilt, IsEmpty());
+  // Used at a quarter of the pixels they are as sharp as any.
+  const auto small = checkPhotographs(images_, plate_, {.megapixels = 0.09, .threads = 2}, {});
+  ASSERT_TRUE(small.has_value());
+  EXPECT_THAT(small->warnings, IsEmpty());
+}
+
 TEST_F(PhotoChecks, LeaveAllInUseWhereManyAreBlurred) {
   for (const double blur_px : {0.4, 1.6, 1.6, 0.4})
     photograph(batch::Side::Front, static_cast<int>(images_.size()), blur_px);

@@ -8099,6 +8099,11 @@
       <translation>Darin steht nicht, wie die Blätter gebogen sind; die Datei löschen, dann wird es neu gemessen.</translation>
     </message>
     <message>
+      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei sagt nicht, worauf die Scherben stehen; sie löschen, dann wird es neu bestimmt.</translation>
+    </message>
+    <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Marken des Blattes sind in %1 von %2 Fotos der Seite %3 lesbar; mindestens 3 sind nötig. Prüfen, ob plate.json dieses Blatt beschreibt, ob die Fotos nicht gespiegelt sind und ob die meisten Marken im Bild sind.</translation>

@@ -8094,6 +8094,11 @@
       <translation>Δεν λέει πώς είναι λυγισμένα τα φύλλα· διαγράψτε το αρχείο και θα μετρηθούν ξανά.</translation>
     </message>
     <message>
+      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν λέει πάνω σε τι στέκονται τα όστρακα· διαγράψτε το και θα βρεθεί ξανά.</translation>
+    </message>
+    <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι δείκτες του φύλλου διαβάζονται σε %1 από %2 φωτογραφίες της πλευράς %3· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι το plate.json περιγράφει αυτό το φύλλο, ότι οι φωτογραφίες δεν είναι ανεστραμμένες και ότι οι περισσότεροι δείκτες είναι μέσα στην εικόνα.</translation>

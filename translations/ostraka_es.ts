@@ -8094,6 +8094,11 @@
       <translation>No indica cómo están curvadas las hojas; borre el archivo y se medirán de nuevo.</translation>
     </message>
     <message>
+      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No dice sobre qué están los fragmentos; bórrelo y se determinará de nuevo.</translation>
+    </message>
+    <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las marcas de la hoja se leen en %1 de %2 fotografías del lado %3; se necesitan al menos 3. Compruebe que plate.json describe esta hoja, que las fotografías no están invertidas y que la mayoría de las marcas están en la imagen.</translation>

@@ -8094,6 +8094,11 @@
       <translation>Il n’y est pas dit comment les feuilles sont courbées ; supprimez ce fichier, elles seront mesurées à nouveau.</translation>
     </message>
     <message>
+      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il ne dit pas sur quoi reposent les tessons ; supprimez-le, et cela sera déterminé à nouveau.</translation>
+    </message>
+    <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les marques de la feuille se lisent sur %1 des %2 photographies du côté %3 ; il en faut au moins 3. Vérifiez que plate.json décrit cette feuille, que les photographies ne sont pas inversées et que la plupart des marques sont dans l’image.</translation>

@@ -8094,6 +8094,11 @@
       <translation>Չի ասում, թե ինչպես են ծռված թերթերը. ջնջեք ֆայլը, և դրանք կչափվեն նորից։</translation>
     </message>
     <message>
+      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չի ասում, թե ինչի վրա են կանգնած բեկորները. ջնջեք այն, և դա նորից կգտնվի։</translation>
+    </message>
+    <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թերթի նշանները կարդացվում են %3 կողմի %2 լուսանկարներից %1-ում. հարկավոր է առնվազն 3։ Ստուգեք, որ plate.json-ը նկարագրում է այս թերթը, որ լուսանկարները հայելային չեն, և որ նշանների մեծ մասը նկարում է։</translation>

@@ -8046,6 +8046,11 @@
       <translation>Sayfaların nasıl eğildiğini söylemiyor; dosyayı silin, yeniden ölçülür.</translation>
     </message>
     <message>
+      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaların neyin üzerinde durduğunu söylemiyor; silin, yeniden bulunur.</translation>
+    </message>
+    <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfanın işaretleri %3 tarafının %2 fotoğrafından %1 tanesinde okunabiliyor; en az 3 gerekir. plate.json dosyasının bu sayfayı tanımladığını, fotoğrafların ters çevrilmediğini ve işaretlerin çoğunun resimde olduğunu denetleyin.</translation>

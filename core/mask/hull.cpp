@@ -1,6 +1,7 @@
 #include "mask/hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -153,6 +154,23 @@ int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, 
       for (int x = 0; x < n.x(); ++x)
         if (voxels[index(x, y, z)] != 0) voxels[index(x, y, z)] = number[labels.at<int>(y, x)];
   return left;
+}
+
+void dropGroupsAtSides(const HullSpace& space, std::vector<unsigned char>& voxels) {
+  const Eigen::Vector3i n = space.count;
+  std::array<bool, kMostGroups + 1> there{}, at_side{};
+  std::size_t i = 0;
+  for (int z = 0; z < n.z(); ++z)
+    for (int y = 0; y < n.y(); ++y)
+      for (int x = 0; x < n.x(); ++x, ++i) {
+        there[voxels[i]] = true;
+        if (x == 0 || y == 0 || x == n.x() - 1 || y == n.y() - 1) at_side[voxels[i]] = true;
+      }
+  bool any_inside = false;
+  for (std::size_t g = 1; g < there.size(); ++g) any_inside |= there[g] && !at_side[g];
+  if (!any_inside) return;
+  for (unsigned char& voxel : voxels)
+    if (at_side[voxel]) voxel = 0;
 }
 
 }  // namespace ostraka::mask

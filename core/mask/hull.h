@@ -54,4 +54,8 @@ inline constexpr int kMostGroups = 255;  ///< more share numbers
 /// their voxels the group's number, 1, 2, ... kMostGroups.
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area);
 
+/// Takes away numbered groups that reach a side of the space, unless all of them do: where nothing
+/// says what the ground is beyond, such a group is mostly that.
+void dropGroupsAtSides(const HullSpace& space, std::vector<unsigned char>& voxels);
+
 }  // namespace ostraka::mask

@@ -282,6 +282,7 @@ class PlateMasker {
                       static_cast<int>(std::ceil(height / space_.pitch))};
       voxels_ = carveHull(space_, views, hull_, stop);
       groups = dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
+      if (!options_.shown.empty()) dropGroupsAtSides(space_, voxels_);
       if (!reachesTop()) break;
     }
     return groups > 0;
@@ -305,6 +306,7 @@ class PlateMasker {
     hull_.carving_views = std::max(2.0, kCarvingShare * static_cast<double>(views.size()));
     voxels_ = carveHull(space_, views, hull_, stop);
     dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
+    if (!options_.shown.empty()) dropGroupsAtSides(space_, voxels_);
     masks_known_ = true;
   }
 

@@ -36,6 +36,9 @@ Sentences sentencesOfRig() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "It does not say how the sheets are bent; delete it, and they are measured "
                         "again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "It does not say what the sherds stand on; delete it, and that is found "
+                        "again."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The sheet's markers can be read in %1 of %2 photographs of the %3 side; at "

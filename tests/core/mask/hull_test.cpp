@@ -104,6 +104,23 @@ TEST_F(Hull, SmallGroupsGoAndLargeOnesStay) {
   EXPECT_EQ(voxels[index(7, 7, 0)], 1);
 }
 
+TEST_F(Hull, GroupsAtTheSidesGoUnlessThereAreNoOthers) {
+  std::vector<unsigned char> voxels(41 * 41 * 30, 0);
+  for (int y = 5; y < 15; ++y)
+    for (int x = 0; x < 15; ++x) {
+      voxels[index(x, y, 0)] = 1;
+      voxels[index(x + 20, y, 0)] = 2;
+    }
+  std::vector<unsigned char> alone = voxels;
+  dropGroupsAtSides(space_, voxels);
+  EXPECT_EQ(voxels[index(7, 7, 0)], 0);
+  EXPECT_EQ(voxels[index(27, 7, 0)], 2);
+  std::replace(alone.begin(), alone.end(), static_cast<unsigned char>(2),
+               static_cast<unsigned char>(0));
+  dropGroupsAtSides(space_, alone);
+  EXPECT_EQ(alone[index(7, 7, 0)], 1) << "a large thing on a ground of which little was seen";
+}
+
 TEST_F(Hull, GroupsThatFloatAboveThePlateAreRaysThatCrossByChance) {
   std::vector<unsigned char> voxels(41 * 41 * 30, 0);
   for (int y = 5; y < 15; ++y)

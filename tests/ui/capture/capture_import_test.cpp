@@ -85,7 +85,7 @@ class CaptureImportTest : public QObject {
     auto* where = child<QSlider>("importDivide");
     QVERIFY(!start->isEnabled());
     QVERIFY(child<QLabel>("importFlip")->text().contains("No pause"));
-    QVERIFY(child<QLabel>("importSheet")->text().contains("No sheet"));
+    QVERIFY(child<QLabel>("importSheet")->text().contains("no scale"));
     QCOMPARE(where->minimum(), 3);
     QCOMPARE(where->maximum(), 5);
     where->setFocus();

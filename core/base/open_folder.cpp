@@ -2,17 +2,16 @@
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 
 #include "base/cannot_write.h"
+#include "base/unfinished_file.h"
 
 namespace ostraka {
 namespace {
@@ -39,14 +38,6 @@ Error cannotMake(int reason, std::string where) {
     return Error::unusable("There is a file of this name already; it is not overwritten.",
                            std::move(where));
   return cannotWrite(where, reason);
-}
-
-std::string chanceName() {
-  std::uint64_t chance = 0;
-  if (::getrandom(&chance, sizeof chance, 0) != sizeof chance) chance = 0;  // O_EXCL still holds
-  char name[32];
-  std::snprintf(name, sizeof name, ".%016llx.partial", static_cast<unsigned long long>(chance));
-  return name;
 }
 
 struct Closing {
@@ -193,11 +184,11 @@ Result<NewFile> OpenFolder::create(const ContainedPath& path) const {
   struct stat there {};
   if (::fstatat(folder->get(), path.parts().back().c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0)
     return cannotMake(EEXIST, named(path));
-  const std::string partial = chanceName();
-  FileDescriptor file(::openat(folder->get(), partial.c_str(),
-                               O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
+  UnfinishedFile begun = beginFile(folder->get(), path.parts().back(), 0644);
+  FileDescriptor file(begun.fd);
   if (!file.isOpen()) return cannotMake(errno, named(path));
-  return NewFile(std::move(*folder), std::move(file), partial, path.parts().back(), named(path));
+  return NewFile(std::move(*folder), std::move(file), std::move(begun.name), path.parts().back(),
+                 named(path));
 }
 
 Result<std::vector<OpenFolder::Entry>> OpenFolder::filesBelow(const ContainedPath& path) const {

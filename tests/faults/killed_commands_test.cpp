@@ -2,12 +2,62 @@
 // given again, ends as if nobody had killed it. kills.h says how to kill them more often.
 #include "kills.h"
 #include "project_commands.h"
+#include "small_disk.h"
 
 namespace ostraka::test {
 namespace {
 
 namespace fs = std::filesystem;
 using KilledCommands = ProjectCommands;
+
+// Killed at a write: the same on every machine. OSTRAKA_EVERY_WRITE=1 tries each of them.
+class CommandsKilledAtAWrite : public ProjectCommands {
+ protected:
+  template <class Prepare, class Done>
+  void leaveNothingUnfinished(const std::vector<std::string>& command, const fs::path& target,
+                              Prepare prepare, Done done) {
+    prepare();
+    const long writes = writesOf(target, command, errors());
+    int killed = 0;
+    for (const long before : roomsBelow(writes, 6)) {
+      SCOPED_TRACE("killed after " + std::to_string(before) + " of " + std::to_string(writes));
+      prepare();
+      ASSERT_EQ(runKilledAfter(before, target, command, errors()).status, -1);
+      const Ended again = run(command);
+      if (again.status != 2) expectDone(again);  // 2: it was whole when it was killed
+      done();
+      for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+        EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+      if (HasFailure()) return;
+      ++killed;
+    }
+    std::printf("%s %s: killed at %d of %ld writes\n", command[0].c_str(), command[1].c_str(),
+                killed, writes);
+  }
+};
+
+TEST_F(CommandsKilledAtAWrite, AnImportLeavesNothingUnfinishedWhenItIsGivenAgain) {
+  ASSERT_TRUE(exportTo("export", all));
+  expectDone(run({"catalogue", "new", "--output", at("empty"), "--code", "ARM"}));
+  leaveNothingUnfinished(
+      {"catalogue", "import", at("work"), at("export"), "--enter"}, at("work/batches"),
+      [&] { copy("empty", "work"); }, [&] { expectWhole("work", 3); });
+}
+
+TEST_F(CommandsKilledAtAWrite, ARestoreLeavesNothingUnfinishedWhenItIsGivenAgain) {
+  expectDone(run({"catalogue", "archive", at("project"), "--output", at("archive")}));
+  leaveNothingUnfinished(
+      {"catalogue", "restore", at("archive"), "--output", at("out")}, at("out"),
+      [&] { fs::remove_all(at("out")); }, [&] { expectWhole("out", 3); });
+}
+
+TEST_F(CommandsKilledAtAWrite, AnExportLeavesNothingUnfinishedWhenItIsGivenAgain) {
+  leaveNothingUnfinished(
+      {"catalogue", "export", at("project"), "--output", at("out"), "--forms",
+       "csv,json,photographs,ply"},
+      at("out"), [&] { fs::remove_all(at("out")); },
+      [&] { EXPECT_TRUE(fs::exists(at("out/bagit.txt"))); });
+}
 
 TEST_F(KilledCommands, ANewProjectIsMadeBySayingItAgain) {
   killRepeatedly(

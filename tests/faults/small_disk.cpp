@@ -1,8 +1,10 @@
 // Loaded before the C library (LD_PRELOAD) it makes the disk fill: below OSTRAKA_SMALL_DISK so many
-// writes succeed as OSTRAKA_SMALL_DISK_WRITES says, and from then on nothing is written or made.
-// Where OSTRAKA_SMALL_DISK_COUNT names a file, it says in the end how many there were.
+// writes succeed as OSTRAKA_SMALL_DISK_WRITES says, and from then on nothing is written or made;
+// with OSTRAKA_SMALL_DISK_KILLS the process is killed there instead. Where OSTRAKA_SMALL_DISK_COUNT
+// names a file, it says in the end how many there were.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -27,6 +29,7 @@ bool hasRoom(const char* path) {
   if (disk == nullptr || writes == nullptr || std::strncmp(path, disk, std::strlen(disk)) != 0)
     return true;
   if (used++ < std::atol(writes)) return true;
+  if (std::getenv("OSTRAKA_SMALL_DISK_KILLS") != nullptr) ::kill(::getpid(), SIGKILL);
   errno = ENOSPC;
   return false;
 }

@@ -8,18 +8,32 @@
 #include "base/files.h"
 #include "program.h"
 
-/// Commands on a disk that takes so many writes and no more; small_disk.cpp does it.
+/// Commands on a disk that takes so many writes and no more, or that are killed at a write;
+/// small_disk.cpp does it.
 namespace ostraka::test {
+
+inline Environment roomFor(long writes, const std::filesystem::path& disk) {
+  return {"LD_PRELOAD=" OSTRAKA_SMALL_DISK_LIBRARY, "OSTRAKA_SMALL_DISK=" + disk.string(),
+          "OSTRAKA_SMALL_DISK_WRITES=" + std::to_string(writes),
+          "ASAN_OPTIONS=verify_asan_link_order=0"};
+}
 
 inline Ended runWithRoomFor(long writes, const std::filesystem::path& disk,
                             const std::vector<std::string>& command,
                             const std::filesystem::path& errors,
                             const std::filesystem::path& count = {}) {
-  return runProgram(
-      command, errors,
-      {"LD_PRELOAD=" OSTRAKA_SMALL_DISK_LIBRARY, "OSTRAKA_SMALL_DISK=" + disk.string(),
-       "OSTRAKA_SMALL_DISK_WRITES=" + std::to_string(writes),
-       "OSTRAKA_SMALL_DISK_COUNT=" + count.string(), "ASAN_OPTIONS=verify_asan_link_order=0"});
+  Environment environment = roomFor(writes, disk);
+  environment.push_back("OSTRAKA_SMALL_DISK_COUNT=" + count.string());
+  return runProgram(command, errors, environment);
+}
+
+/// Killed instead of the write after so many.
+inline Ended runKilledAfter(long writes, const std::filesystem::path& disk,
+                            const std::vector<std::string>& command,
+                            const std::filesystem::path& errors) {
+  Environment environment = roomFor(writes, disk);
+  environment.emplace_back("OSTRAKA_SMALL_DISK_KILLS=1");
+  return runProgram(command, errors, environment);
 }
 
 /// How often the command writes below the folder, with room for all.

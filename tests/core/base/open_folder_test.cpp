@@ -96,6 +96,17 @@ TEST_F(AnOpenFolder, NeverWritesOverAFileAndLeavesNothingHalf) {
   EXPECT_EQ(entries("inside/below"), 2u);
 }
 
+TEST_F(AnOpenFolder, RemovesWhatAKilledProgramLeftOfAFileThatIsMadeAgain) {
+  const OpenFolder folder = *OpenFolder::open(root_ / "inside");
+  const fs::path dead = root_ / "inside/below/.new.txt.0123456789ab.partial",
+                 others = root_ / "inside/below/.other.txt.0123456789ab.partial";
+  for (const fs::path& left : {dead, others}) std::ofstream(left) << "half";
+  Result<NewFile> made = folder.create(path("below/new.txt"));
+  ASSERT_TRUE(made);
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(others)) << "somebody may be at it";
+}
+
 TEST_F(AnOpenFolder, WaitsForNoPipe) {
   ASSERT_EQ(::mkfifo((root_ / "inside/pipe").c_str(), 0600), 0);
   EXPECT_NE(textOf("pipe").find("not a regular file"), std::string::npos) << textOf("pipe");

@@ -37,20 +37,20 @@
     <message>
       <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Diese Nummer wurde auf dem Teller eingetippt, aber dort liegt keine Scherbe mit einem Befund; vergeben Sie sie im Katalog.</translation>
+      <translation>%1: Diese Nummer wurde auf der Platte eingetippt, aber dort liegt keine Scherbe mit einem Befund; vergeben Sie sie im Katalog.</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n Scherbe wurde auf dem Teller gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
-        <numerusform>%n Scherben wurden auf dem Teller gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
+        <numerusform>%n Scherbe wurde auf der Platte gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
+        <numerusform>%n Scherben wurden auf der Platte gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
       </translation>
     </message>
     <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: diese Nummer wurde auf dem Teller getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
+      <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
     </message>
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
@@ -356,12 +356,12 @@
     <message>
       <source>sherd or plate, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe oder Teller, vorn</translation>
+      <translation>Scherbe oder Platte, vorn</translation>
     </message>
     <message>
       <source>sherd or plate, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe oder Teller, hinten</translation>
+      <translation>Scherbe oder Platte, hinten</translation>
     </message>
     <message>
       <source>surface, front</source>
@@ -980,8 +980,8 @@
       <source>%1; but %n counted on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1; aber %n auf dem Teller gezählt</numerusform>
-        <numerusform>%1; aber %n auf dem Teller gezählt</numerusform>
+        <numerusform>%1; aber %n auf der Platte gezählt</numerusform>
+        <numerusform>%1; aber %n auf der Platte gezählt</numerusform>
       </translation>
     </message>
     <message>
@@ -1007,7 +1007,7 @@
     <message>
       <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1; die Nummer %2 wurde auf seinem Teller getippt, und keine seiner Scherben hat sie</translation>
+      <translation>%1; die Nummer %2 wurde auf seiner Platte getippt, und keine seiner Scherben hat sie</translation>
     </message>
     <message numerus="yes">
       <source>%1; %n photographed again since</source>
@@ -1443,7 +1443,7 @@
     <message>
       <source>Stop turntable</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Drehteller anhalten</translation>
+      <translation>Drehtisch anhalten</translation>
     </message>
     <message>
       <source>Change rig…</source>
@@ -1541,7 +1541,7 @@
     <message>
       <source>Lay the sherds on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherben auf den Teller legen</translation>
+      <translation>Scherben auf die Platte legen</translation>
     </message>
     <message>
       <source>Stopped</source>
@@ -1566,7 +1566,7 @@
     <message>
       <source>You may clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Teller darf abgeräumt werden.</translation>
+      <translation>Die Platte darf abgeräumt werden.</translation>
     </message>
     <message>
       <source>Shifting is fine, swapping is fine, losing one is not.</source>
@@ -1798,7 +1798,7 @@
     <message>
       <source>Check the plate before you clear it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vor dem Abräumen den Teller ansehen</translation>
+      <translation>Vor dem Abräumen die Platte ansehen</translation>
     </message>
     <message>
       <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
@@ -1808,7 +1808,7 @@
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hände weg vom Drehteller. Esc hält ihn sofort an.</translation>
+      <translation>Hände weg vom Drehtisch. Esc hält ihn sofort an.</translation>
     </message>
     <message>
       <source>Space accepts anyway, R photographs the backs again.</source>
@@ -1856,7 +1856,7 @@
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Der Drehteller steht. Gespeicherte Fotos bleiben erhalten.</translation>
+        <translation>Der Drehtisch steht. Gespeicherte Fotos bleiben erhalten.</translation>
     </message>
 </context>
 <context>
@@ -2012,7 +2012,7 @@
     <message>
         <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Eine ungültige Scherbe erhält kein Etikett, keine Zeichnung und keinen Platz auf einem Teller, und ihre Nummer wird nie wieder vergeben. Ist %1 ungültig: „%2“?</translation>
+        <translation>Eine ungültige Scherbe erhält kein Etikett, keine Zeichnung und keinen Platz auf einer Platte, und ihre Nummer wird nie wieder vergeben. Ist %1 ungültig: „%2“?</translation>
     </message>
     <message>
       <source>Import…</source>
@@ -3091,7 +3091,7 @@
     <message>
       <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Durchgang wurde gescannt, nicht fotografiert: Von seinem Teller gibt es kein Bild.</translation>
+      <translation>Dieser Durchgang wurde gescannt, nicht fotografiert: Von seiner Platte gibt es kein Bild.</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
@@ -3127,7 +3127,7 @@
     <message>
       <source>Plate, front and back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Teller, vorn und hinten</translation>
+      <translation>Platte, vorn und hinten</translation>
     </message>
     <message>
       <source>Sherd %1</source>
@@ -3496,7 +3496,7 @@
     <message>
       <source>Picture of the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bild des Tellers</translation>
+      <translation>Bild der Platte</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) seen</source>
@@ -4035,7 +4035,7 @@
     <message>
       <source>&amp;Sherds on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Scherben auf dem Teller</translation>
+      <translation>&amp;Scherben auf der Platte</translation>
     </message>
     <message>
       <source>&amp;Photographs</source>
@@ -4772,7 +4772,7 @@
     <message>
       <source>Plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Teller</translation>
+      <translation>Platte</translation>
     </message>
     <message>
       <source>Sherd</source>
@@ -4810,7 +4810,7 @@
     <message>
         <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Blau: als Scherbe erkannt. Fehlendes als Scherbe malen, Falsches als Teller; die Masken des Programms bleiben.</translation>
+        <translation>Blau: als Scherbe erkannt. Fehlendes als Scherbe malen, Falsches als Platte; die Masken des Programms bleiben.</translation>
     </message>
 </context>
 <context>
@@ -5018,7 +5018,7 @@
     <message>
       <source>How many sherds you counted onto the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wie viele Scherben Sie auf den Teller gezählt haben</translation>
+      <translation>Wie viele Scherben Sie auf die Platte gezählt haben</translation>
     </message>
     <message>
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
@@ -5070,7 +5070,7 @@
     <message>
       <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe %1 auf diesem Teller hat die Nummer %2: Nehmen Sie sie ihr zuerst, oder geben Sie eine andere ein.</translation>
+      <translation>Scherbe %1 auf dieser Platte hat die Nummer %2: Nehmen Sie sie ihr zuerst, oder geben Sie eine andere ein.</translation>
     </message>
     <message>
       <source>A sherd of %1 has the number %2 already; type another.</source>
@@ -5093,22 +5093,22 @@
     <message>
       <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben konnten nicht gezählt werden: zu wenige Marken des Tellers sind zu sehen.</translation>
+      <translation>Die Scherben konnten nicht gezählt werden: zu wenige Marken der Platte sind zu sehen.</translation>
     </message>
     <message>
       <source>No sherd is seen on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf dem Teller ist keine Scherbe zu sehen.</translation>
+      <translation>Auf der Platte ist keine Scherbe zu sehen.</translation>
     </message>
     <message>
       <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte des Tellers: auseinanderrücken und noch einmal aufnehmen.</translation>
+      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte der Platte: auseinanderrücken und noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was bei %1 von der Mitte des Tellers liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und noch einmal aufnehmen.</translation>
+      <translation>Was bei %1 von der Mitte der Platte liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>The back looks like the front: turn the sherds over and photograph them again.</source>
@@ -5118,17 +5118,17 @@
     <message>
       <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor der Teller abgeräumt wird.</translation>
+      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
       <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor der Teller abgeräumt wird.</translation>
+      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vorn waren %1 Scherben zu sehen, hinten %2: die fehlende suchen, bevor der Teller abgeräumt wird.</translation>
+      <translation>Vorn waren %1 Scherben zu sehen, hinten %2: die fehlende suchen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
@@ -5316,7 +5316,7 @@
     <message>
       <source>No photograph of this camera shows the plate's markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Foto dieser Kamera zeigt die Marken des Tellers.</translation>
+      <translation>Kein Foto dieser Kamera zeigt die Marken der Platte.</translation>
     </message>
     <message>
       <source>No batch folder was given.</source>
@@ -5706,32 +5706,32 @@
     <message>
       <source>The plate's unit must be mm; print the plate's file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Einheit des Tellers muss mm sein; die Datei des Tellers neu erzeugen.</translation>
+      <translation>Die Einheit der Platte muss mm sein; die Datei der Platte neu erzeugen.</translation>
     </message>
     <message>
       <source>The plate names more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Teller nennt mehr als 1024 Marken.</translation>
+      <translation>Die Platte nennt mehr als 1024 Marken.</translation>
     </message>
     <message>
       <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Teller braucht 'dictionary' und 'markers' mit einer id und vier Ecken zu je drei Zahlen; 'diameter' ist, wenn angegeben, eine Zahl in mm.</translation>
+      <translation>Die Platte braucht 'dictionary' und 'markers' mit einer id und vier Ecken zu je drei Zahlen; 'diameter' ist, wenn angegeben, eine Zahl in mm.</translation>
     </message>
     <message>
       <source>The plate names no marker.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Teller nennt keine Marke.</translation>
+      <translation>Die Platte nennt keine Marke.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate has no valid corners.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 des Tellers hat keine gültigen Ecken.</translation>
+      <translation>Marke %1 der Platte hat keine gültigen Ecken.</translation>
     </message>
     <message>
       <source>Marker %1 stands twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 steht zweimal auf dem Teller.</translation>
+      <translation>Marke %1 steht zweimal auf der Platte.</translation>
     </message>
     <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
@@ -5751,7 +5751,7 @@
     <message>
       <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Durchgang wurde auf einem anderen Teller begonnen: mit jenem weitermachen oder einen anderen Durchgang beginnen.</translation>
+      <translation>Der Durchgang wurde auf einer anderen Platte begonnen: mit jener weitermachen oder einen anderen Durchgang beginnen.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
@@ -6261,7 +6261,7 @@
     <message>
       <source>the markers show another angle than this stop's</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Marken zeigen einen anderen Winkel als den dieses Halts</translation>
+      <translation>die Marken zeigen einen anderen Winkel als den dieser Position</translation>
     </message>
     <message>
       <source>the picture has another size than the camera's others</source>
@@ -6281,7 +6281,7 @@
     <message>
       <source>too few markers of the plate are seen: is something before them?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>zu wenige Marken des Tellers sind zu sehen: liegt etwas davor?</translation>
+      <translation>zu wenige Marken der Platte sind zu sehen: liegt etwas davor?</translation>
     </message>
     <message>
       <source>it is blurred: did the table still move, did the focus change?</source>
@@ -6316,7 +6316,7 @@
     <message>
       <source>A plate holds 1 to 60 sherds; 0 means not counted.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf einen Teller passen 1 bis 60 Scherben; 0 heißt nicht gezählt.</translation>
+      <translation>Auf eine Platte passen 1 bis 60 Scherben; 0 heißt nicht gezählt.</translation>
     </message>
     <message>
       <source>The number of a batch is also the name of its folder; use letters and digits.</source>
@@ -6941,7 +6941,7 @@
     <message>
       <source>The number %1 stands on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer %1 steht auf zwei Scherben dieses Tellers.</translation>
+      <translation>Die Nummer %1 steht auf zwei Scherben dieser Platte.</translation>
     </message>
     <message>
       <source>The number %1 belongs to another sherd already.</source>
@@ -7436,7 +7436,7 @@
     <message>
       <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken vom Teller brauchen mindestens 3 Fotos einer Seite; mehr Positionen aufnehmen.</translation>
+      <translation>Masken von der Platte brauchen mindestens 3 Fotos einer Seite; mehr Positionen aufnehmen.</translation>
     </message>
     <message>
       <source>The photograph is not of the size that its camera has; use the original file.</source>
@@ -7446,32 +7446,32 @@
     <message>
       <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf dem Teller wurde keine Scherbe gefunden; prüfen, ob die Fotos Scherben zeigen, die sich vom Teller abheben, oder Masken angeben.</translation>
+      <translation>Auf der Platte wurde keine Scherbe gefunden; prüfen, ob die Fotos Scherben zeigen, die sich von der Platte abheben, oder Masken angeben.</translation>
     </message>
     <message>
       <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Der leere Teller von Kamera %1 hat eine andere Größe als die Fotos der Kamera; ohne ihn maskiert</translation>
+      <translation>Masken: Die leere Platte von Kamera %1 hat eine andere Größe als die Fotos der Kamera; ohne sie maskiert</translation>
     </message>
     <message>
       <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Der leere Teller von Kamera %1 zeigt den Teller an keiner der Positionen; bei der ersten noch einmal aufnehmen; ohne ihn maskiert</translation>
+      <translation>Masken: Die leere Platte von Kamera %1 zeigt die Platte an keiner der Positionen; bei der ersten noch einmal aufnehmen; ohne sie maskiert</translation>
     </message>
     <message>
       <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Der leere Teller von Kamera %1 zeigt Marken, die in %2 von etwas verdeckt sind; wegnehmen, was auf ihnen liegt; ohne ihn maskiert</translation>
+      <translation>Masken: Die leere Platte von Kamera %1 zeigt Marken, die in %2 von etwas verdeckt sind; wegnehmen, was auf ihnen liegt; ohne sie maskiert</translation>
     </message>
     <message>
       <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Ein Schatten, den die anderen Fotos nicht haben, liegt auf dem Teller in %1; Menschen und Hände aus dem Licht halten und diese Fotos wiederholen, wenn ihre Masken falsch aussehen</translation>
+      <translation>Masken: Ein Schatten, den die anderen Fotos nicht haben, liegt auf der Platte in %1; Menschen und Hände aus dem Licht halten und diese Fotos wiederholen, wenn ihre Masken falsch aussehen</translation>
     </message>
     <message>
       <source>%1 (%2 % of the bare plate)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 (%2 % des freien Tellers)</translation>
+      <translation>%1 (%2 % der freien Platte)</translation>
     </message>
     <message>
       <source>The front scan holds no points.</source>
@@ -7601,7 +7601,7 @@
     <message>
       <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 betrifft %3, das nicht mehr auf dem Teller liegt; noch einmal entscheiden.</translation>
+      <translation>Entscheidung %1 von %2 betrifft %3, das nicht mehr auf der Platte liegt; noch einmal entscheiden.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
@@ -7706,7 +7706,7 @@
     <message>
       <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und was in mm angegeben ist, beruht auf einer geschätzten Pixelgröße; auf einem Teller mit Marken aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
+      <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und was in mm angegeben ist, beruht auf einer geschätzten Pixelgröße; auf einer Platte mit Marken aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
     </message>
     <message>
       <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
@@ -7751,7 +7751,7 @@
     <message>
       <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 der %2 Marken des Tellers sind auf keinem Foto der Vorderseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
+      <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Vorderseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
@@ -7766,7 +7766,7 @@
     <message>
       <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 der %2 Marken des Tellers sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
+      <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
@@ -7786,7 +7786,7 @@
     <message>
       <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Fotos zeigen keinen Teller mit Marken, also muss das Programm %1 die Kameras finden, und es ist nicht installiert.</translation>
+      <translation>Die Fotos zeigen keine Platte mit Marken, also muss das Programm %1 die Kameras finden, und es ist nicht installiert.</translation>
     </message>
     <message>
       <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
@@ -7851,12 +7851,12 @@
     <message>
       <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu klein; das Lineal auf dem Teller messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder den Teller noch einmal mit 100 % drucken; wenn der Teller stimmt, die Länge messen und ihre Marken neu setzen.</translation>
+      <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu klein; das Lineal auf der Platte messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder die Platte noch einmal mit 100 % drucken; wenn die Platte stimmt, die Länge messen und ihre Marken neu setzen.</translation>
     </message>
     <message>
       <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu groß; das Lineal auf dem Teller messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder den Teller noch einmal mit 100 % drucken; wenn der Teller stimmt, die Länge messen und ihre Marken neu setzen.</translation>
+      <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu groß; das Lineal auf der Platte messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder die Platte noch einmal mit 100 % drucken; wenn die Platte stimmt, die Länge messen und ihre Marken neu setzen.</translation>
     </message>
     <message>
       <source>the length of %1 mm marked on the front side measures %2 +- %3 mm in the photographs (%4 %)</source>
@@ -8031,7 +8031,7 @@
     <message>
       <source>Look at the masks, and at whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Masken ansehen, und ob Scherben auf dem Teller lagen.</translation>
+      <translation>Die Masken ansehen, und ob Scherben auf der Platte lagen.</translation>
     </message>
     <message>
       <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
@@ -8071,7 +8071,7 @@
     <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier ist nichts, wonach sich kalibrieren ließe: den Teller an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
+      <translation>Hier ist nichts, wonach sich kalibrieren ließe: die Platte an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
     </message>
     <message>
       <source>There are no pictures of the board; put them here, or into 'calib'.</source>
@@ -8131,7 +8131,7 @@
     <message>
       <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es gibt kein plate.json, also sind die Marken des Tellers nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit dem Teller geschrieben hat.</translation>
+      <translation>Es gibt kein plate.json, also sind die Marken der Platte nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit der Platte geschrieben hat.</translation>
     </message>
     <message>
       <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
@@ -8141,27 +8141,27 @@
     <message>
       <source>Its lens is estimated from the plate's markers instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ihr Objektiv wird stattdessen aus den Marken des Tellers geschätzt.</translation>
+      <translation>Ihr Objektiv wird stattdessen aus den Marken der Platte geschätzt.</translation>
     </message>
     <message>
       <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Objektiv von Kamera %1 ist unbekannt: Es gibt weder brauchbare Bilder der Tafel noch Marken des Tellers; Bilder der Tafel zu 'calib' hinzufügen.</translation>
+      <translation>Das Objektiv von Kamera %1 ist unbekannt: Es gibt weder brauchbare Bilder der Tafel noch Marken der Platte; Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
     <message>
       <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Objektiv von Kamera %1 wurde allein aus den Marken des Tellers geschätzt; für genaue Maße 12 Bilder der Tafel zu 'calib' hinzufügen.</translation>
+      <translation>Das Objektiv von Kamera %1 wurde allein aus den Marken der Platte geschätzt; für genaue Maße 12 Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
     <message>
       <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken des Tellers wurden in %1 von %2 Fotos gefunden, zu wenige für die Lage beider Seiten; prüfen, ob plate.json zu diesem Teller gehört und ob die Marken beleuchtet und im Bild sind.</translation>
+      <translation>Die Marken der Platte wurden in %1 von %2 Fotos gefunden, zu wenige für die Lage beider Seiten; prüfen, ob plate.json zu dieser Platte gehört und ob die Marken beleuchtet und im Bild sind.</translation>
     </message>
     <message>
       <source>No photograph of camera %1 shows two markers of the plate; all its photographs are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Foto von Kamera %1 zeigt zwei Marken des Tellers; alle ihre Fotos werden ausgelassen.</translation>
+      <translation>Kein Foto von Kamera %1 zeigt zwei Marken der Platte; alle ihre Fotos werden ausgelassen.</translation>
     </message>
     <message>
       <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
@@ -8176,7 +8176,7 @@
     <message>
       <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es trägt den Namen eines anderen Fotos oder entstand, während der Teller sich drehte; es wird ausgelassen.</translation>
+      <translation>Es trägt den Namen eines anderen Fotos oder entstand, während die Platte sich drehte; es wird ausgelassen.</translation>
     </message>
     <message>
       <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
@@ -8186,17 +8186,17 @@
     <message>
       <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur von %1 Fotos der Vorderseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken des Tellers beleuchtet und im Bild sind.</translation>
+      <translation>Nur von %1 Fotos der Vorderseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur von %1 Fotos der Rückseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken des Tellers beleuchtet und im Bild sind.</translation>
+      <translation>Nur von %1 Fotos der Rückseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 sieht weniger als sechs Marken des Tellers an Position %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
+      <translation>Kamera %1 sieht weniger als sechs Marken der Platte an Position %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
     </message>
     <message>
       <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
@@ -8211,12 +8211,12 @@
     <message>
       <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zwischen den Marken %1 und %2 haben Sie %3 mm gemessen, nach plate.json sind es %4 mm (%5 %); das Lineal des Tellers messen und plate.json mit 'ostraka plate --ruler-measured' neu erstellen.</translation>
+      <translation>Zwischen den Marken %1 und %2 haben Sie %3 mm gemessen, nach plate.json sind es %4 mm (%5 %); das Lineal der Platte messen und plate.json mit 'ostraka plate --ruler-measured' neu erstellen.</translation>
     </message>
     <message>
       <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken des Tellers im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einem anderen Teller?</translation>
+      <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einer anderen Platte?</translation>
     </message>
     <message>
       <source>Not usable: the scale is not right.</source>
@@ -8231,7 +8231,7 @@
     <message>
       <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur für einen Versuch brauchbar: Das Objektiv von Kamera %1 folgt allein aus den Marken des Tellers.</translation>
+      <translation>Nur für einen Versuch brauchbar: Das Objektiv von Kamera %1 folgt allein aus den Marken der Platte.</translation>
     </message>
     <message>
       <source>Usable, but a focal length is known to no better than a thousandth.</source>
@@ -8256,12 +8256,12 @@
     <message>
       <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Brennweite %2 px (%3 %), die Marken des Tellers auf %4 px im Median.</translation>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), die Marken der Platte auf %4 px im Median.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, die Marken des Tellers auf %9 px im Median.</translation>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, die Marken der Platte auf %9 px im Median.</translation>
     </message>
     <message>
       <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
@@ -8346,7 +8346,7 @@
     <message>
       <source>Reprojection error %1 px over the plate's markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rückprojektionsfehler %1 px über die Marken des Tellers.</translation>
+      <translation>Rückprojektionsfehler %1 px über die Marken der Platte.</translation>
     </message>
     <message>
       <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
@@ -8376,12 +8376,12 @@
     <message>
       <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auch den Teller mit seinen Marken aufnehmen: je Kamera und Position ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
+      <translation>Auch die Platte mit ihren Marken aufnehmen: je Kamera und Position ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
     </message>
     <message>
       <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 der bekannten Länge ist nicht zweimal zu sehen; zwei Marken des Tellers nennen, die auf den Fotos sind.</translation>
+      <translation>Marke %1 der bekannten Länge ist nicht zweimal zu sehen; zwei Marken der Platte nennen, die auf den Fotos sind.</translation>
     </message>
     <message>
       <source>A known length needs two different markers and millimetres above zero.</source>
@@ -8391,7 +8391,7 @@
     <message>
       <source>There is no such folder; name one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diesen Ordner gibt es nicht; einen mit Fotos des Tellers oder der Tafel nennen.</translation>
+      <translation>Diesen Ordner gibt es nicht; einen mit Fotos der Platte oder der Tafel nennen.</translation>
     </message>
     <message>
       <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
@@ -8446,17 +8446,17 @@
     <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einem Teller mit Marken aufnehmen.</translation>
+      <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
       <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einem Teller mit Marken aufnehmen.</translation>
+      <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
       <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu diesem Teller gehört, ob er maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihm kalibriert wurde.</translation>
+      <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu dieser Platte gehört, ob sie maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihr kalibriert wurde.</translation>
     </message>
     <message>
       <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
@@ -8541,27 +8541,27 @@
     <message>
       <source>The plate's diameter must lie between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Durchmesser des Tellers muss zwischen 1 und 2000 mm liegen.</translation>
+      <translation>Der Durchmesser der Platte muss zwischen 1 und 2000 mm liegen.</translation>
     </message>
     <message>
       <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; markers of %3 mm fit on it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf einen Teller von %2 mm passen weniger als sechs Marken von %1 mm; Marken von %3 mm passen darauf.</translation>
+      <translation>Auf eine Platte von %2 mm passen weniger als sechs Marken von %1 mm; Marken von %3 mm passen darauf.</translation>
     </message>
     <message>
       <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; make the plate larger.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf einen Teller von %2 mm passen weniger als sechs Marken von %1 mm; den Teller größer machen.</translation>
+      <translation>Auf eine Platte von %2 mm passen weniger als sechs Marken von %1 mm; die Platte größer machen.</translation>
     </message>
     <message>
       <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; markers of %3 mm fit on it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marken von %1 mm lassen auf einem Teller von %2 mm keinen Platz für eine Scherbe; Marken von %3 mm passen darauf.</translation>
+      <translation>Marken von %1 mm lassen auf einer Platte von %2 mm keinen Platz für eine Scherbe; Marken von %3 mm passen darauf.</translation>
     </message>
     <message>
       <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; make the plate larger.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marken von %1 mm lassen auf einem Teller von %2 mm keinen Platz für eine Scherbe; den Teller größer machen.</translation>
+      <translation>Marken von %1 mm lassen auf einer Platte von %2 mm keinen Platz für eine Scherbe; die Platte größer machen.</translation>
     </message>
     <message>
       <source>The printer's margin must lie between 0 and 40 mm.</source>
@@ -8576,17 +8576,17 @@
     <message>
       <source>The dictionary %1 has too few markers for this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis %1 hat zu wenige Marken für diesen Teller.</translation>
+      <translation>Das Verzeichnis %1 hat zu wenige Marken für diese Platte.</translation>
     </message>
     <message>
       <source>What the ruler measures must be a length in mm within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Maß des Lineals muss eine Länge in mm sein, die auf den Teller passt.</translation>
+      <translation>Das Maß des Lineals muss eine Länge in mm sein, die auf die Platte passt.</translation>
     </message>
     <message>
       <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Lineal dieses Tellers ist %1 mm lang gezeichnet, %2 mm weicht um mehr als ein Zehntel ab; die Datei mit 100 % drucken, ohne 'An Seite anpassen', und noch einmal messen.</translation>
+      <translation>Das Lineal dieser Platte ist %1 mm lang gezeichnet, %2 mm weicht um mehr als ein Zehntel ab; die Datei mit 100 % drucken, ohne 'An Seite anpassen', und noch einmal messen.</translation>
     </message>
     <message>
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
@@ -8651,7 +8651,7 @@
     <message>
       <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Etwas Flaches bei x %1, y %2 mm blieb beiseite; es kann eine Marke oder Schmutz auf dem Teller sein.</translation>
+      <translation>Etwas Flaches bei x %1, y %2 mm blieb beiseite; es kann eine Marke oder Schmutz auf der Platte sein.</translation>
     </message>
     <message>
       <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
@@ -8661,7 +8661,7 @@
     <message>
       <source>The cloud of the plate has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Punktwolke des Tellers hat keine Normalen.</translation>
+      <translation>Die Punktwolke der Platte hat keine Normalen.</translation>
     </message>
     <message>
       <source>No sherd was found on the front side; check its masks and photographs.</source>
@@ -8736,7 +8736,7 @@
     <message>
       <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die %1 Scherben passen nicht auf den Teller; weniger verlangen oder einen anderen Startwert nehmen.</translation>
+      <translation>Die %1 Scherben passen nicht auf die Platte; weniger verlangen oder einen anderen Startwert nehmen.</translation>
     </message>
     <message>
       <source>sherds must lie between 1 and 40.</source>
@@ -8771,7 +8771,7 @@
     <message>
       <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einem Markenteller fotografieren.</translation>
+      <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einer Markenplatte fotografieren.</translation>
     </message>
     <message>
       <source>This model is gone; compute its batch again.</source>
@@ -8951,17 +8951,17 @@
     <message>
       <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 des Tellers ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei des Tellers neu drucken.</translation>
+      <translation>Marke %1 der Platte ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei der Platte neu drucken.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 des Tellers ist nicht konvex; ihre Ecken der Reihe nach am Rand entlang nennen.</translation>
+      <translation>Marke %1 der Platte ist nicht konvex; ihre Ecken der Reihe nach am Rand entlang nennen.</translation>
     </message>
     <message>
       <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken %1 und %2 des Tellers überlappen sich; die Datei des Tellers neu drucken.</translation>
+      <translation>Die Marken %1 und %2 der Platte überlappen sich; die Datei der Platte neu drucken.</translation>
     </message>
     <message>
       <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>

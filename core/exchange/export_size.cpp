@@ -7,6 +7,7 @@
 #include "exchange/lighter_model.h"
 #include "exchange/metadata.h"
 #include "exchange/sherd_json.h"
+#include "exchange/views_out.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace catalogue;
 
-constexpr std::int64_t kViewTimesJpeg = 5;  // PNG with masks, of a JPEG
 constexpr std::size_t kRecordsRead = 16;
 constexpr std::size_t kChecksum = 64;  // letters of one
 
@@ -95,9 +95,12 @@ class Sizing {
           static_cast<double>(bytesOf(file.from)) * (share == shares.end() ? 1 : share->second);
       add(file.to, static_cast<std::int64_t>(bytes), file.sherd, file.role);
     }
-    for (const fs::path& photograph : plan_.viewedPhotographs()) {
-      size_.files += 3;
-      size_.bytes += kViewTimesJpeg * bytesOf(photograph);
+    for (const auto& [batch, number] : plan_.viewed()) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      const Result<ViewsSize> views = sizeOfViews(plan_.project(), number);
+      if (!views) continue;  // as the export will say
+      size_.files += views->files;
+      size_.bytes += views->bytes;
     }
     return {};
   }

@@ -1,10 +1,15 @@
 #include "exchange/views_out.h"
 
 #include <algorithm>
+#include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "batch/photograph.h"
 #include "exchange/csv.h"
+#include "pipeline/chain.h"
+#include "pipeline/mask_strokes.h"
 #include "pipeline/saved_views.h"
+#include "rig/camera.h"
 #include "stereo/outside_door.h"
 
 namespace ostraka::exchange {
@@ -61,7 +66,70 @@ Result<void> addBothSides(BagWriter& bag, const fs::path& project, const std::st
   return {};
 }
 
+std::int64_t fileBytes(const fs::path& file) {
+  std::error_code code;
+  const std::uintmax_t bytes = fs::file_size(file, code);
+  return code ? 0 : static_cast<std::int64_t>(bytes);
+}
+
+// As the doors write it. That the lens bends it yet changes little.
+double pngBytes(const cv::Mat& picture) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  return static_cast<double>(bytes.size());
+}
+
+struct Pictured {
+  fs::path photograph, mask;
+  std::int64_t bytes;  ///< of the photograph
+};
+
+// PNG take as many times the bytes of a photograph as the middle one's, a mask as many as its mask.
+Result<std::int64_t> bytesAsPng(std::vector<Pictured> pictures) {
+  const auto middle = pictures.begin() + static_cast<std::ptrdiff_t>(pictures.size() / 2);
+  std::nth_element(pictures.begin(), middle, pictures.end(),
+                   [](const Pictured& a, const Pictured& b) { return a.bytes < b.bytes; });
+  const Result<cv::Mat> photograph = batch::readPhotograph(middle->photograph);
+  if (!photograph) return photograph.error();
+  const Result<cv::Mat> mask = batch::readMask(middle->mask);
+  if (!mask) return mask.error();
+  const double photographs = pngBytes(*photograph) / static_cast<double>(middle->bytes),
+               masks = pngBytes(*mask >= 128) / static_cast<double>(fileBytes(middle->mask));
+  double sum = 0;
+  for (const Pictured& one : pictures)
+    sum += photographs * static_cast<double>(one.bytes) +
+           2 * masks * static_cast<double>(fileBytes(one.mask));
+  return static_cast<std::int64_t>(sum);
+}
+
 }  // namespace
+
+Result<ViewsSize> sizeOfViews(const fs::path& project, const std::string& number) {
+  constexpr int kTexts = 4;  // cameras, images, points3D, photographs
+  // Of COLMAP's model: half of the views see each of 3000 to 6000 points.
+  constexpr double kPoints = 4500, kPointBytes = 60, kBytesSeen = 0.5 * 48;
+  const fs::path batch = project / "batches" / number, out = project / "results" / number;
+  const auto images = rig::readCameras(out / "work" / "rig" / "cameras.json");
+  if (!images) return images.error();
+  ViewsSize size;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    std::vector<Pictured> pictures;
+    for (const rig::PosedImage& image : *images) {
+      if (image.side != side) continue;
+      const fs::path photograph = batch / batch::name(side) / fs::path(image.file).filename();
+      pictures.push_back(
+          {photograph, out / "work" / pipeline::maskFolder(out, side) / pipeline::maskName(image),
+           fileBytes(photograph)});
+    }
+    if (pictures.empty()) continue;
+    const auto views = static_cast<double>(pictures.size());
+    size.files += 3 * static_cast<int>(pictures.size()) + kTexts;
+    const Result<std::int64_t> bytes = bytesAsPng(std::move(pictures));
+    if (!bytes) return bytes.error();
+    size.bytes += *bytes + static_cast<std::int64_t>(kPoints * (kPointBytes + kBytesSeen * views));
+  }
+  return size;
+}
 
 Result<void> addViews(BagWriter& bag, const fs::path& project, const std::string& number,
                       const fs::path& scratch, const std::stop_token& stop) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <stop_token>
 #include <string>
@@ -15,5 +16,13 @@ namespace ostraka::exchange {
 Result<void> addViews(BagWriter& bag, const std::filesystem::path& project,
                       const std::string& number, const std::filesystem::path& scratch,
                       const std::stop_token& stop);
+
+struct ViewsSize {
+  int files = 0;
+  std::int64_t bytes = 0;
+};
+/// What addViews will add, measured on one photograph of each side: seconds, not minutes. Errors:
+/// UnusableInput (no whole results, the photograph or its mask is gone).
+Result<ViewsSize> sizeOfViews(const std::filesystem::path& project, const std::string& number);
 
 }  // namespace ostraka::exchange

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
 #include "rig/colmap_files.h"
@@ -65,6 +66,50 @@ TEST(ViewsOut, HoldWhatColmapAndOpenMvsLookForAndNameTheirPhotographs) {
       stereo::ballViews({}, 4)[3].camera.camera_from_plate, 1e-9));
   EXPECT_NE(readFile(back / "photographs.csv")->find("0003.png,back/cam0_pos03.png"),
             std::string::npos);
+}
+
+// Photographs as a camera writes them: a thousand pixels wide, with noise, as JPEG.
+void putLargeBatch(const fs::path& project) {
+  putBatch(project);
+  cv::RNG random(24);
+  for (const char* side : {"front", "back"}) {
+    const fs::path masks = project / "results/B0001/work" / ("masks_" + std::string(side));
+    for (int i = 0; i < 8; ++i) {
+      const std::string stem = "cam0_pos0" + std::to_string(i);
+      const fs::path small = project / "batches/B0001" / side / (stem + ".png");
+      cv::Mat photograph = cv::imread(small.string()), mask, noise;
+      cv::resize(photograph, photograph, {1000, 800}, 0, 0, cv::INTER_CUBIC);
+      noise.create(photograph.size(), CV_16SC3);
+      random.fill(noise, cv::RNG::NORMAL, 0, 4);
+      cv::add(photograph, noise, photograph, {}, CV_8U);
+      fs::remove(small);
+      cv::imwrite((project / "batches/B0001" / side / (stem + ".jpg")).string(), photograph);
+      cv::resize(cv::imread((masks / (stem + ".png")).string(), 0), mask, {1000, 800});
+      cv::imwrite((masks / (stem + ".png")).string(), mask);
+    }
+  }
+  const fs::path file = project / "results/B0001/work/rig/cameras.json";
+  std::vector<rig::PosedImage> images = *rig::readCameras(file);
+  for (rig::PosedImage& image : images) {
+    rig::Intrinsics& lens = image.intrinsics;
+    lens = {1000, 800, 5 * lens.fx, 5 * lens.fy, 5 * lens.cx + 2, 5 * lens.cy + 2, lens.distortion};
+    image.file = fs::path(image.file).replace_extension(".jpg").string();
+  }
+  ASSERT_TRUE(rig::writeCameras(file, images));
+}
+
+TEST(ViewsOut, TakeTheFilesThatAreSaidBeforeAndTheirSizeWithinATenth) {
+  const TemporaryFolder folder;
+  putLargeBatch(folder.path());
+  const Result<ViewsSize> size = sizeOfViews(folder.path(), "B0001");
+  ASSERT_TRUE(size) << size.error().sentence();
+  Result<BagWriter> bag = BagWriter::begin(folder.path() / "bag");
+  ASSERT_TRUE(bag);
+  const Result<void> added = addViews(*bag, folder.path(), "B0001", folder.path() / "scratch", {});
+  ASSERT_TRUE(added) << added.error().sentence();
+  EXPECT_EQ(size->files, static_cast<int>(bag->files().size()));
+  const auto said = static_cast<double>(size->bytes), is = static_cast<double>(bag->bytes());
+  EXPECT_NEAR(said / is, 1, 0.1) << said << " said, " << is;
 }
 
 TEST(ViewsOut, OfABatchWithoutResultsAreAnErrorThatNamesTheFile) {

@@ -132,6 +132,16 @@ class TranslationsTest : public QObject {
     QVERIFY(seen > 20);
   }
 
+  // Platte is the marker plate, Drehtisch what turns it, Durchgang a batch, Datenträger a disk.
+  void germanHasOneWordForPlateTurntableBatchAndDisk() {
+    static const QRegularExpression other(
+        QStringLiteral("\\b(teller|drehteller|markenteller|drehscheibe|festplatte|durchsicht|"
+                       "ladung)(s|n|en)?\\b"),
+        QRegularExpression::CaseInsensitiveOption);
+    for (const Message& message : messagesOf(QStringLiteral("de")))
+      for (const QString& form : message.forms) QVERIFY2(!form.contains(other), qPrintable(form));
+  }
+
   void theValuesHaveTheirPlaces_data() { languages_data(); }
   void theValuesHaveTheirPlaces() {
     QFETCH(QString, language);

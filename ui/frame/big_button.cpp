@@ -13,6 +13,7 @@ constexpr double kLetters = Look::kSection, kLeastLetters = 0.85;  // of the bod
 }  // namespace
 
 BigButton::BigButton(QWidget* parent) : QPushButton(parent) {
+  setPrimary(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFocusPolicy(Qt::StrongFocus);
 }
@@ -25,6 +26,7 @@ void BigButton::setKeyHint(const QString& key) {
 
 void BigButton::setPrimary(bool primary) {
   primary_ = primary;
+  setProperty("primary", primary);
   update();
 }
 

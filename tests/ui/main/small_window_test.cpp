@@ -68,6 +68,23 @@ class SmallWindowTest : public QObject {
     }
   }
 
+  // An empty project and one with sherds: on each screen one button can be filled, the one to
+  // press.
+  void eachScreenShowsOnePrimaryButtonAndFillsNoOther() {
+    for (const bool empty : {true, false}) {
+      open(empty);
+      for (const Station* station : window_->stations()) {
+        window_->showStationNamed(station->iconName(), {});
+        QTRY_VERIFY(station->isVisible());
+        QTRY_VERIFY2(isTheOnlyFilled(*station, station->primary()),
+                     qPrintable(station->title() + QStringLiteral(": ") +
+                                filledOn(*station).join(QStringLiteral(", "))));
+      }
+      cleanup();
+      init();
+    }
+  }
+
   void thePrimaryButtonOfTheMasksIsInSight_data() { languages(); }
   void thePrimaryButtonOfTheMasksIsInSight() {
     open();
@@ -151,7 +168,7 @@ class SmallWindowTest : public QObject {
   }
 
  private:
-  void open() {
+  void open(bool empty = false) {
     QStringList names{QStringLiteral("ostraka_en")};
     if (QTest::currentDataTag() == QLatin1String("German")) names << QStringLiteral("ostraka_de");
     for (const QString& name : names) {
@@ -160,7 +177,7 @@ class SmallWindowTest : public QObject {
       QApplication::installTranslator(translator.get());
       translators_.push_back(std::move(translator));
     }
-    makeProject();
+    makeProject(empty);
     window_ = std::make_unique<MainWindow>(*jobs_);
     window_->resize(kSmall);
     activate(*window_);
@@ -170,13 +187,14 @@ class SmallWindowTest : public QObject {
     QCOMPARE(window_->size(), kSmall);
   }
 
-  void makeProject() {
+  void makeProject(bool empty) {
     const std::filesystem::path folder = home_->path("Hill").toStdString();
     catalogue::ProjectRecord record;
     record.code = "ARM";
     record.title = "Hill";
     auto made = catalogue::Project::create(folder, record);
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    if (empty) return;
     pipeline::SyntheticOptions options;
     options.sherds = 6;
     (void)pipeline::writeSyntheticOut(folder / "results" / "B0001", options);
@@ -196,6 +214,19 @@ class SmallWindowTest : public QObject {
     const QRect there(widget->mapTo(window_.get(), QPoint()), widget->size());
     return window_->rect().contains(there) &&
            widget->visibleRegion().boundingRect() == widget->rect();
+  }
+  static QStringList filledOn(const QWidget& screen) {
+    QStringList names;
+    for (const QAbstractButton* button : screen.findChildren<QAbstractButton*>())
+      if (button->isVisible() && button->isEnabled() && button->property("primary").toBool())
+        names << button->objectName();
+    return names;
+  }
+  static bool isTheOnlyFilled(const QWidget& screen, const QAbstractButton* button) {
+    if (button == nullptr || !button->isVisible() || !button->property("primary").toBool())
+      return false;
+    const QStringList filled = filledOn(screen);
+    return button->isEnabled() ? filled == QStringList{button->objectName()} : filled.isEmpty();
   }
   QString reportOf(const Station& station) const {
     const QWidget* button = station.primary();

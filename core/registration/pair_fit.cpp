@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "registration/break_misfit.h"
+#include "registration/fracture_colour.h"
 
 namespace ostraka::registration {
 namespace {
@@ -127,11 +128,15 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitne
                            !on_front && witnesses_.back_on_plate, 0, contact_);
   };
   const Vector3d seen = (front_.up - pose.front_from_back.linear() * back_.up).normalized();
-  std::array<Evidence, 5> said = {
-      strip.evidence, rest(true), rest(false),
+  std::array<Evidence, 6> said = {
+      strip.evidence,
+      rest(true),
+      rest(false),
       fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at, {}).evidence,
       silhouettes == nullptr ? Evidence{}
-                             : silhouettes->evidence(pose.front_from_back, at, reach_px).evidence};
+                             : silhouettes->evidence(pose.front_from_back, at, reach_px).evidence,
+      pose.alike > 0 ? fitColours(front_.fine, back_.fine, pose.front_from_back, at, {}).evidence
+                     : Evidence{}};
   for (std::size_t k = 0; k < said.size(); ++k) pose.witnesses[k].evidence = said[k];
   // Only at the end of the way: before, all are far off together.
   if (pose.alike > 0) learnTrust(pose.witnesses, startEvidence(pose, at).information);

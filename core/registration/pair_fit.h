@@ -18,8 +18,8 @@ struct FittedPose {
   int start = -1;
   RimFit rim;         ///< rms and overlap within 1 mm once fine() has run
   Evidence evidence;  ///< of all witnesses together
-  /// Strip, rest of the back, rest of the front, outline, photographs.
-  std::array<Testimony, 5> witnesses;
+  /// Strip, rest of the back, rest of the front, outline, photographs, colours of the fracture.
+  std::array<Testimony, 6> witnesses;
   double sigma_mm = 0.15;  ///< of one pair of strip points
   double alike = 0;        ///< strip points that err together; 0: as many as a good scanner's
   double score = 1e9;      ///< share of strip points that do not fit, lower is better

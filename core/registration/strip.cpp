@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/median.h"
+#include "registration/fracture_colour.h"
 
 namespace ostraka::registration {
 namespace {
@@ -15,6 +16,7 @@ constexpr float kSameFace = 0.5f;    // normals within 60 degrees: 9 degrees of 
 constexpr float kSmoothFace = 0.8f;  // of the shell: a broken edge must not round the face
 constexpr double kUsefulSpacingMm =
     0.25;                               // noise is alike over 0.9 mm: finer points only cost time
+constexpr double kPixelMm = 0.25;       // photographs show no finer detail
 constexpr float kLowBandMm = 0.7f;      // above the plate, where scans are fat and noisy
 constexpr float kLowBandWeight = 0.4f;  // noise there is up to 1.5 times as large: 1 / 1.5^2
 
@@ -132,6 +134,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
   const float low_end = *lowest + kLowBandMm;
   std::vector<Neighbour> found;
   std::vector<double> offsets;
+  std::vector<Color> colours;
   const float radius =
       static_cast<float>(std::max(options.normal_radius_mm, 2.2 * strip.spacing_mm));
   for (int i = 0; i < static_cast<int>(cloud.size()); ++i) {
@@ -140,6 +143,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
     if (patch.count < 4 || patch.normal.dot(up) > options.max_up) continue;
     strip.fine.points.push_back(cloud.points[i]);
     strip.fine.normals.push_back(patch.normal);
+    if (!cloud.colors.empty()) colours.push_back(cloud.colors[static_cast<std::size_t>(i)]);
     strip.fine.weights.push_back(heights[i] < low_end ? kLowBandWeight : 1.0f);
     strip.fine.end.push_back(patch.towards.dot(up) > 0.25f ? 1 : 0);
     offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
@@ -150,6 +154,8 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
                  scan.id};
   strip.noise_mm = 1.4826 * medianOf(offsets);
   strip.fine.tree = KdTree(strip.fine.points);
+  strip.fine.colours = colourDetail(strip.fine.points, strip.fine.normals, colours, strip.fine.tree,
+                                    std::max(kPixelMm, 1.25 * strip.spacing_mm));
   strip.coarse = thinnedLevel(strip.fine, options.coarse_mm);
   addShell(cloud, tree, 1.0, strip);
   return strip;

@@ -18,12 +18,20 @@ struct StripOptions {
   Result<void> check() const;
 };
 
+/// What a point's colour differs from its surroundings, in SDs of each of three channels, and how
+/// fast that changes along the surface (row c: gradient of channel c, per mm, frame of the scan).
+struct ColourDetail {
+  Eigen::Vector3f value = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f slope = Eigen::Matrix3f::Zero();
+};
+
 /// Points of one level of detail that the other side can have seen, with a tree over them.
 struct StripLevel {
   std::vector<Eigen::Vector3f> points;   ///< mm, frame of the scan
   std::vector<Eigen::Vector3f> normals;  ///< unit, outward, averaged over neighbours
   std::vector<float> weights;            ///< 0..1, lower in the lowest, fattest band
   std::vector<std::uint8_t> end;         ///< 1 where the scan ends below: the row that BBICP uses
+  std::vector<ColourDetail> colours;     ///< as long as points, or empty: no colours, coarse level
   KdTree tree{{}};
 };
 

@@ -18,8 +18,10 @@
 #include "base/json.h"
 #include "cloud/ply.h"
 #include "pipeline/candidate_table.h"
+#include "pipeline/chain.h"
 #include "registration/break_misfit.h"
 #include "registration/contact.h"
+#include "registration/fracture_colour.h"
 #include "registration/outline.h"
 #include "registration/register_sides.h"
 #include "registration/rim_icp.h"
@@ -116,6 +118,10 @@ void printWitnesses(const Isometry3d& truth, const reg::Witnesses& w, const reg:
       front.noise_mm, back.noise_mm, spacing, rim.sigma_mm, rim.pairs, misfit.alike, rim.overlap,
       radius, front.fine.points.size(), back.fine.points.size());
   printWitness("strip", rim.evidence, radius);
+  const auto colours = reg::fitColours(front.fine, back.fine, truth, pivot, {});
+  std::printf("      colours %d pairs, correlation %.2f %.2f %.2f\n", colours.pairs,
+              colours.correlation[0], colours.correlation[1], colours.correlation[2]);
+  printWitness("colours", colours.evidence, radius);
   const auto outline =
       reg::fitOutlines(front.all, back.all, spacing, truth,
                        (front.up - truth.linear() * back.up).normalized(), pivot, {});
@@ -161,11 +167,9 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
   std::vector<reg::SilhouetteView> front_views, back_views;
   for (const rig::PosedImage& camera : *cameras) {
     const bool of_front = camera.side == batch::Side::Front;
-    char name[64];
-    std::snprintf(name, sizeof name, "cam%d_pos%02d.png", camera.camera, camera.stop);
+    const fs::path masks = out / "work" / (of_front ? "masks_front" : "masks_back");
     const cv::Mat1b mask =
-        cv::imread((out / "work" / (of_front ? "masks_front" : "masks_back") / name).string(),
-                   cv::IMREAD_GRAYSCALE);
+        cv::imread((masks / pipeline::maskName(camera)).string(), cv::IMREAD_GRAYSCALE);
     (of_front ? front_views : back_views).push_back({camera, mask});
   }
   const reg::Witnesses witnesses{front_views, back_views, true, true};

@@ -25,7 +25,7 @@ struct ColourOptions {
   /// SD of a displacement common to all detail. Light from above brightens the upper slope of each
   /// grain in both shots, which moves its picture up in the front and down in the back: up to 0.2
   /// mm of height where grains also differ in lightness. Tilt and turn are free of it.
-  double displacement_mm = 0.15;
+  double displacement_mm = 0.08;
   double patch_mm = 3.0;  ///< detail is shorter than this; patches are independent
 };
 

@@ -139,7 +139,7 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitne
                      : Evidence{}};
   for (std::size_t k = 0; k < said.size(); ++k) pose.witnesses[k].evidence = said[k];
   // Only at the end of the way: before, all are far off together.
-  if (pose.alike > 0) learnTrust(pose.witnesses, startEvidence(pose, at).information);
+  if (pose.settled) learnTrust(pose.witnesses, startEvidence(pose, at).information);
   pose.evidence = together(pose.witnesses);
   // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
   pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);
@@ -167,8 +167,11 @@ void PairFit::fine(FittedPose& pose) const {
 
 void PairFit::weighed(FittedPose& pose) const {
   pose.alike = breakMisfit(front_, back_, pose.front_from_back).alike;
-  for (int round = 0; round < 10; ++round)
-    if (fineRound(pose, last_radius_mm_, nullptr, 0) < 1e-3) break;
+  for (int round = 0; round < 10; ++round) {
+    // Weights come from residuals, and a constraint that is new on the way has large ones.
+    pose.settled = round >= 3;
+    if (fineRound(pose, last_radius_mm_, nullptr, 0) < 1e-3 && pose.settled) break;
+  }
   judge(pose);
 }
 

@@ -22,6 +22,7 @@ struct FittedPose {
   std::array<Testimony, 6> witnesses;
   double sigma_mm = 0.15;  ///< of one pair of strip points
   double alike = 0;        ///< strip points that err together; 0: as many as a good scanner's
+  bool settled = false;    ///< weights of the constraints follow their residuals
   double score = 1e9;      ///< share of strip points that do not fit, lower is better
 };
 

@@ -27,7 +27,7 @@ Vector3f channelsOf(const Color& colour) {
   Vector3f l;
   for (int c = 0; c < 3; ++c)
     l[c] = std::log(std::max(4.0f, static_cast<float>(colour[static_cast<std::size_t>(c)])));
-  return {l.sum() / 3, l[0] - l[2], l[1] - 0.5f * (l[0] + l[2])};
+  return {l.sum() / 3, l[0] - 0.5f * (l[1] + l[2]), l[1] - l[2]};
 }
 
 // The detail around a point as a plane, by Gaussian weights.

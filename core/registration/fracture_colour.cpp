@@ -211,9 +211,14 @@ ColourFit fitColours(const StripLevel& front, const StripLevel& back,
   const std::vector<ColourPair> pairs = pairsOf(front, back, front_from_back, options);
   fit.pairs = static_cast<int>(pairs.size());
   if (fit.pairs < kFewestPairs) return fit;
-  for (int c = 0; c < 3; ++c) {
-    const double correlation = correlationOf(pairs, c);
-    fit.correlation[static_cast<std::size_t>(c)] = correlation;
+  for (int c = 0; c < 3; ++c)
+    fit.correlation[static_cast<std::size_t>(c)] = correlationOf(pairs, c);
+  // Colour differences are noisier than lightness. Where they correlate better all the same, the
+  // lightness is mostly the relief's shading, which light from above inverts when a sherd is
+  // turned.
+  const bool shaded = fit.correlation[0] < fit.correlation[1];
+  for (int c = shaded ? 1 : 0; c < 3; ++c) {
+    const double correlation = fit.correlation[static_cast<std::size_t>(c)];
     if (correlation > 0.05) fit.evidence += channelEvidence(pairs, c, correlation, pivot);
   }
   takeOutDisplacement(options.displacement_mm, fit.evidence);

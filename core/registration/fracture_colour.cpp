@@ -19,6 +19,7 @@ constexpr float kOneFracture = 0.5f;      // normals of the strip's points are 1
 constexpr double kLongestDetail = 6;      // radii; beyond, light and soil differ, not grains
 constexpr std::size_t kFewestPoints = 6;  // of a plane of three unknowns
 constexpr double kOutlier = 4;            // SDs: highlights and shadows of neighbours
+constexpr double kLeastSteps = 0.5;       // two SD of a rounded value
 constexpr int kFewestPairs = 200;
 constexpr int kFewestPatches = 12;  // to estimate a scatter in six dimensions
 
@@ -52,12 +53,13 @@ ColourDetail planeAround(std::span<const Vector3f> points, std::span<const Vecto
   return result;
 }
 
-void normaliseChannels(std::vector<ColourDetail>& detail) {
+// step: of a value of 8 bits, as a logarithm. Detail that is finer says where values were rounded.
+void normaliseChannels(std::vector<ColourDetail>& detail, double step) {
   for (int c = 0; c < 3; ++c) {
     std::vector<double> sizes;
     for (const ColourDetail& d : detail) sizes.push_back(std::abs(static_cast<double>(d.value[c])));
     const double sd = 1.4826 * medianOf(sizes);
-    const float scale = sd > 1e-4 ? static_cast<float>(1 / sd) : 0.0f;  // 0: grey photographs
+    const float scale = sd > kLeastSteps * step ? static_cast<float>(1 / sd) : 0.0f;
     for (ColourDetail& d : detail) {
       d.value[c] *= scale;
       d.slope.row(c) *= scale;
@@ -179,6 +181,9 @@ std::vector<ColourDetail> colourDetail(std::span<const Vector3f> points,
                                        double radius_mm) {
   if (colours.size() != points.size()) return {};
   std::vector<Vector3f> detail(points.size());
+  std::vector<double> lightness;
+  for (const Color& colour : colours)
+    lightness.push_back(static_cast<double>(channelsOf(colour)[0]));
   std::vector<std::vector<std::size_t>> near(points.size());
   std::vector<Neighbour> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -199,7 +204,7 @@ std::vector<ColourDetail> colourDetail(std::span<const Vector3f> points,
   for (std::size_t i = 0; i < points.size(); ++i)
     if (near[i].size() >= kFewestPoints)
       result[i] = planeAround(points, detail, points[i], normals[i], near[i], radius_mm);
-  normaliseChannels(result);
+  normaliseChannels(result, std::exp(-medianOf(lightness)));
   return result;
 }
 

@@ -207,7 +207,7 @@ Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
 
 Result<Registration> registerDecided(const PairDecision& decision, const scan::Scan& front,
                                      const scan::Scan& back,
-                                     const registration::Witnesses& witnesses,
+                                     const registration::Constraints& constraints,
                                      const PairOptions& options, Progress& progress,
                                      std::stop_token stop) {
   std::vector<Isometry3d> starts;
@@ -226,7 +226,7 @@ Result<Registration> registerDecided(const PairDecision& decision, const scan::S
   Result<Registration> found =
       !front_strip  ? Result<Registration>(front_strip.error())
       : !back_strip ? Result<Registration>(back_strip.error())
-                    : registration::registerSides(*front_strip, *back_strip, starts, witnesses,
+                    : registration::registerSides(*front_strip, *back_strip, starts, constraints,
                                                   options.registration, progress, stop);
   if (found) found->start = 0;
   const std::optional<Isometry3d>& given = decision.front_from_back;

@@ -36,7 +36,7 @@ double apart_mm(const ScanRef& back, const Eigen::Isometry3d& a, const Eigen::Is
 /// Cancelled.
 Result<registration::Registration> registerDecided(const PairDecision& decision,
                                                    const scan::Scan& front, const scan::Scan& back,
-                                                   const registration::Witnesses& witnesses,
+                                                   const registration::Constraints& constraints,
                                                    const PairOptions& options, Progress& progress,
                                                    std::stop_token stop);
 

@@ -279,10 +279,10 @@ Result<LiveFit> LivePairs::settled(int front, int back, const Isometry3d& start,
   const Result<const Strip*> b = state_->stripOf(Side::Back, back);
   if (!b) return b.error();
   const bool plate = state_->table.on_plate;
-  const registration::Witnesses witnesses{{}, {}, plate, plate};
+  const registration::Constraints constraints{{}, {}, plate, plate};
   // The registration's own first rounds once more, for the eye.
   const registration::RegistrationOptions options;
-  const registration::PairFit pair(**f, **b, witnesses, options);
+  const registration::PairFit pair(**f, **b, constraints, options);
   registration::FittedPose pose;
   pose.front_from_back = pose.begun = start;
   for (const auto rounds : {&registration::PairFit::coarse, &registration::PairFit::fine}) {
@@ -293,7 +293,7 @@ Result<LiveFit> LivePairs::settled(int front, int back, const Isometry3d& start,
   }
   QuietProgress quiet;
   const Result<registration::Registration> found =
-      registration::registerSides(**f, **b, {&start, 1}, witnesses, options, quiet, stop);
+      registration::registerSides(**f, **b, {&start, 1}, constraints, options, quiet, stop);
   if (!found) return found.error();
   if (on_way) on_way(shownAt(**f, **b, found->front_from_back));
   return fitOf(*found);

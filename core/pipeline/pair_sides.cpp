@@ -143,7 +143,7 @@ class NotesOnly final : public Progress {
 
 Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
                                     std::span<const scan::Scan> backs,
-                                    const registration::Witnesses& witnesses,
+                                    const registration::Constraints& constraints,
                                     const PairOptions& options, Progress& progress,
                                     std::stop_token stop) {
   NotesOnly notes(progress);
@@ -177,7 +177,7 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
       if (start.log_likelihood > candidate.starts.front().log_likelihood - kRuledOut)
         starts.push_back(start.front_from_back);
     const Result<registration::Registration> found = registration::registerSides(
-        *front.strip, *back.strip, starts, witnesses, options.registration, quiet, stop);
+        *front.strip, *back.strip, starts, constraints, options.registration, quiet, stop);
     registered[i].registration =
         found ? *found : outlinesAlone(candidate, found.error().sentence());
   });
@@ -225,10 +225,10 @@ Result<PairTable> assigned(const CandidateTable& candidates,
 }
 
 Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
-                            const registration::Witnesses& witnesses, const PairOptions& options,
-                            Progress& progress, std::stop_token stop) {
+                            const registration::Constraints& constraints,
+                            const PairOptions& options, Progress& progress, std::stop_token stop) {
   const Result<CandidateTable> table =
-      compareSides(fronts, backs, witnesses, options, progress, stop);
+      compareSides(fronts, backs, constraints, options, progress, stop);
   if (!table) return table.error();
   return assigned(*table, options.assign);
 }

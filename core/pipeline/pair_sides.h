@@ -44,10 +44,10 @@ struct PairTable {
 };
 
 /// All pairs within reach by their outlines, each registered by its rim. The table's files and
-/// scale are left to the caller. witnesses may be empty. Errors as the stages'.
+/// scale are left to the caller. constraints may be empty. Errors as the stages'.
 Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
                                     std::span<const scan::Scan> backs,
-                                    const registration::Witnesses& witnesses,
+                                    const registration::Constraints& constraints,
                                     const PairOptions& options, Progress& progress,
                                     std::stop_token stop);
 
@@ -56,8 +56,8 @@ Result<PairTable> assigned(const CandidateTable& table, const pairing::AssignOpt
 
 /// Which back belongs to which front, and where: both of the above.
 Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
-                            const registration::Witnesses& witnesses, const PairOptions& options,
-                            Progress& progress, std::stop_token stop);
+                            const registration::Constraints& constraints,
+                            const PairOptions& options, Progress& progress, std::stop_token stop);
 
 /// pairs.json as metrics.md describes it, scans named by their ids.
 nlohmann::ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,

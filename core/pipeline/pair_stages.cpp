@@ -114,7 +114,7 @@ Decisions aboutPartners(const Decisions& standing) {
 
 // Decided pairs whose pose no candidate has are registered here; the others stay as they are.
 Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decisions& decisions,
-                          const registration::Witnesses& witnesses, const Scans& fronts,
+                          const registration::Constraints& constraints, const Scans& fronts,
                           const Scans& backs) {
   const Result<CandidateTable> table = readCandidates(run.work / "pairs" / "candidates.json");
   if (!table) return table.error();
@@ -133,7 +133,7 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decision
     const scan::Scan& front = fronts.value[static_cast<std::size_t>(pair.decision.front)];
     const scan::Scan& back = backs.value[static_cast<std::size_t>(pair.decision.back)];
     const Result<registration::Registration> found =
-        registerDecided(*decision, front, back, witnesses, options, quiet, run.stop);
+        registerDecided(*decision, front, back, constraints, options, quiet, run.stop);
     if (!found && found.error().code == ErrorCode::Cancelled) return found.error();
     if (found) {
       pair.registration = *found;
@@ -155,18 +155,19 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decision
 Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, double back_scale,
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Scans& fronts, const Scans& backs) {
-  const auto withWitnesses = [&](const auto& call) {
+  const auto withConstraints = [&](const auto& call) {
     const auto front_views = silhouettes(poses.value.of(batch::Side::Front), front_masks.value);
     const auto back_views = silhouettes(poses.value.of(batch::Side::Back), back_masks.value);
     const bool on_plate = run.batch.plate.has_value();
-    return call(registration::Witnesses{front_views, back_views, on_plate, on_plate});
+    return call(registration::Constraints{front_views, back_views, on_plate, on_plate});
   };
   const auto compare = [&](const fs::path& folder) -> Result<StageNotes> {
     const PairOptions options = optionsOf(run);
     WarningsKept kept(run.progress);  // such as of a scan without an outline
-    Result<CandidateTable> table = withWitnesses([&](const registration::Witnesses& witnesses) {
-      return compareSides(fronts.value, backs.value, witnesses, options, kept, run.stop);
-    });
+    Result<CandidateTable> table =
+        withConstraints([&](const registration::Constraints& constraints) {
+          return compareSides(fronts.value, backs.value, constraints, options, kept, run.stop);
+        });
     if (!table) return table.error();
     nameSources(run, batch::Side::Front, table->fronts, table->front_files);
     nameSources(run, batch::Side::Back, table->backs, table->back_files);
@@ -197,8 +198,8 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
   if (!decisions.empty()) {
     folder = "decided";
     const auto work = [&](const fs::path& into) {
-      return withWitnesses([&](const registration::Witnesses& witnesses) {
-        return decide(run, into, decisions, witnesses, fronts, backs);
+      return withConstraints([&](const registration::Constraints& constraints) {
+        return decide(run, into, decisions, constraints, fronts, backs);
       });
     };
     const std::vector<std::string> compared = record->notes.warnings;

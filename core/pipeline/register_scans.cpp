@@ -123,10 +123,10 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
     fronts = sized_fronts;
     backs = sized_backs;
   }
-  registration::Witnesses witnesses;
-  witnesses.front_on_plate = standOnPlate(fronts);
-  witnesses.back_on_plate = standOnPlate(backs);
-  Result<PairTable> table = pairSides(fronts, backs, witnesses, pair_options, progress, stop);
+  registration::Constraints constraints;
+  constraints.front_on_plate = standOnPlate(fronts);
+  constraints.back_on_plate = standOnPlate(backs);
+  Result<PairTable> table = pairSides(fronts, backs, constraints, pair_options, progress, stop);
   if (!table) return table.error();
   for (SherdPair& pair : table->pairs) {
     pair.registration.scale = scale;

@@ -6,7 +6,7 @@ namespace ostraka::registration {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// What a witness says about a small change of the pose: minus log-likelihood is about
+/// What a constraint says about a small change of the pose: minus log-likelihood is about
 /// cost + gradient.x + x'.information.x / 2, x = (turn in rad, shift in mm) about a pivot.
 struct Evidence {
   Matrix6 information = Matrix6::Zero();

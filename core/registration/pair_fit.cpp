@@ -57,13 +57,13 @@ double pixelMm(std::span<const SilhouetteView> views, const Vector3d& centre) {
 
 }  // namespace
 
-PairFit::PairFit(const Strip& front, const Strip& back, const Witnesses& witnesses,
+PairFit::PairFit(const Strip& front, const Strip& back, const Constraints& constraints,
                  const RegistrationOptions& options)
-    : front_(front), back_(back), witnesses_(witnesses), options_(options) {
+    : front_(front), back_(back), constraints_(constraints), options_(options) {
   radius_mm_ = 0.5 * (front.radius_mm + back.radius_mm);
   spacing_mm_ = std::max(front.spacing_mm, back.spacing_mm);
   const double pixel_mm =
-      std::max(pixelMm(witnesses.front, front.centre), pixelMm(witnesses.back, back.centre));
+      std::max(pixelMm(constraints.front, front.centre), pixelMm(constraints.back, back.centre));
   if (pixel_mm > 0) contact_.grain_mm = std::max(spacing_mm_, pixel_mm);
   const double noise = std::max(front.noise_mm, back.noise_mm);
   last_radius_mm_ = std::max({options.last_radius_mm, 4.0 * noise, 0.9 * spacing_mm_});
@@ -109,23 +109,23 @@ void PairFit::coarse(FittedPose& pose) const {
     const Vector3d at = pivot(pose.front_from_back);
     pose.evidence = rim(pose, false, radius, radius, 0.3 * radius).evidence;
     pose.evidence +=
-        contactEvidence(front_, back_, pose.front_from_back, at, witnesses_.front_on_plate,
-                        witnesses_.back_on_plate, 0.2 * radius, contact_);
+        contactEvidence(front_, back_, pose.front_from_back, at, constraints_.front_on_plate,
+                        constraints_.back_on_plate, 0.2 * radius, contact_);
     pose.evidence += startEvidence(pose, at);
     solve(pose, at);
   }
   pose.score = rim(pose, false, 1.2, 0.6, 0.3).spread;
 }
 
-double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitness* silhouettes,
+double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
                           double reach_px) const {
   const Vector3d at = pivot(pose.front_from_back);
   const double robust = std::max(0.12, std::min(radius, 3.0 * pose.sigma_mm));
   const RimFit strip = rim(pose, true, radius, robust, pose.sigma_mm);
   const auto rest = [&](bool on_front) {
     return contactEvidence(front_, back_, pose.front_from_back, at,
-                           on_front && witnesses_.front_on_plate,
-                           !on_front && witnesses_.back_on_plate, 0, contact_);
+                           on_front && constraints_.front_on_plate,
+                           !on_front && constraints_.back_on_plate, 0, contact_);
   };
   const Vector3d seen = (front_.up - pose.front_from_back.linear() * back_.up).normalized();
   std::array<Evidence, 6> said = {
@@ -137,10 +137,10 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitne
                              : silhouettes->evidence(pose.front_from_back, at, reach_px).evidence,
       pose.alike > 0 ? fitColours(front_.fine, back_.fine, pose.front_from_back, at, {}).evidence
                      : Evidence{}};
-  for (std::size_t k = 0; k < said.size(); ++k) pose.witnesses[k].evidence = said[k];
+  for (std::size_t k = 0; k < said.size(); ++k) pose.constraints[k].evidence = said[k];
   // Only at the end of the way: before, all are far off together.
-  if (pose.settled) learnTrust(pose.witnesses, startEvidence(pose, at).information);
-  pose.evidence = together(pose.witnesses);
+  if (pose.settled) learnWeights(pose.constraints, startEvidence(pose, at).information);
+  pose.evidence = together(pose.constraints);
   // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
   pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);
   pose.rim = strip;
@@ -175,7 +175,7 @@ void PairFit::weighed(FittedPose& pose) const {
   judge(pose);
 }
 
-void PairFit::withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhouettes) const {
+void PairFit::withSilhouettes(FittedPose& pose, const SilhouetteConstraint& silhouettes) const {
   for (const double reach_px : {6.0, 4.5, 3.5, 3.0, 3.0, 3.0})
     if (fineRound(pose, last_radius_mm_, &silhouettes, reach_px) < 1e-3) break;
   judge(pose);
@@ -211,16 +211,16 @@ Matrix6 PairFit::stripStiffness(const FittedPose& pose) const {
 }
 
 // Where the gradient grows by H and scatters by I, the pose scatters by H^-1 I H^-1. Directions
-// that no witness holds are held by the start, from which the fit did not move there.
+// that no constraint holds are held by the start, from which the fit did not move there.
 Matrix6 PairFit::covariance(const FittedPose& pose) const {
   const Matrix6 start = startEvidence(pose, pivot(pose.front_from_back)).information;
-  const double apart = strain(pose.witnesses, start);
+  const double apart = inconsistency(pose.constraints, start);
   const Matrix6 scatter = pose.evidence.information + start;
   // Strips of scanners hold what their rows say: errors are 0.6 to 0.9 of what is stated.
   if (contact_.grain_mm <= 0) return apart * apart * scatter.inverse();
-  const Testimony& strip = pose.witnesses[0];
+  const Constraint& strip = pose.constraints[0];
   const Matrix6 soft =
-      (scatter + strip.trust * (stripStiffness(pose) - strip.evidence.information)).inverse();
+      (scatter + strip.weight * (stripStiffness(pose) - strip.evidence.information)).inverse();
   return apart * apart * soft * scatter * soft.transpose();
 }
 

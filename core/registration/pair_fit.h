@@ -2,24 +2,24 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "registration/constraint.h"
 #include "registration/contact.h"
 #include "registration/outline.h"
 #include "registration/register_sides.h"
 #include "registration/rim_icp.h"
 #include "registration/silhouettes.h"
-#include "registration/testimony.h"
 
 namespace ostraka::registration {
 
-/// A pose on its way, with what the witnesses last said about it.
+/// A pose on its way, with what the constraints last said about it.
 struct FittedPose {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d begun = Eigen::Isometry3d::Identity();
   int start = -1;
   RimFit rim;         ///< rms and overlap within 1 mm once fine() has run
-  Evidence evidence;  ///< of all witnesses together
+  Evidence evidence;  ///< of all constraints together
   /// Strip, rest of the back, rest of the front, outline, photographs, colours of the fracture.
-  std::array<Testimony, 6> witnesses;
+  std::array<Constraint, 6> constraints;
   double sigma_mm = 0.15;  ///< of one pair of strip points
   double alike = 0;        ///< strip points that err together; 0: as many as a good scanner's
   bool settled = false;    ///< weights of the constraints follow their residuals
@@ -29,7 +29,7 @@ struct FittedPose {
 /// The joint estimate of one pair of strips: strip, outline, rest on the plate, photographs.
 class PairFit {
  public:
-  PairFit(const Strip& front, const Strip& back, const Witnesses& witnesses,
+  PairFit(const Strip& front, const Strip& back, const Constraints& constraints,
           const RegistrationOptions& options);
 
   /// Eight rounds on the thinned strips, radius 3 to 1 mm; the start itself counts as evidence.
@@ -39,7 +39,7 @@ class PairFit {
   /// Goes on from fine() with the weight that the strips' own misfit gives them.
   void weighed(FittedPose& pose) const;
   /// Goes on from weighed() with the photographs' outlines.
-  void withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhouettes) const;
+  void withSilhouettes(FittedPose& pose, const SilhouetteConstraint& silhouettes) const;
 
   /// Of a small change of the pose about its pivot, once weighed() has run.
   Matrix6 covariance(const FittedPose& pose) const;
@@ -53,13 +53,13 @@ class PairFit {
  private:
   double solve(FittedPose& pose, const Eigen::Vector3d& at) const;
   RimFit rim(const FittedPose& pose, bool fine, double radius, double robust, double sigma) const;
-  double fineRound(FittedPose& pose, double radius, const SilhouetteWitness* silhouettes,
+  double fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
                    double reach_px) const;
   void judge(FittedPose& pose) const;
   Matrix6 stripStiffness(const FittedPose& pose) const;
 
   const Strip &front_, &back_;
-  const Witnesses& witnesses_;
+  const Constraints& constraints_;
   const RegistrationOptions& options_;
   ContactOptions contact_;
   double radius_mm_ = 1, last_radius_mm_ = 0.35, spacing_mm_ = 0.4;

@@ -26,11 +26,12 @@ bool better(const FittedPose& a, const FittedPose& b) {
 }
 
 std::vector<FittedPose> startPoses(const Strip& front, std::span<const Isometry3d> starts,
-                                   const Witnesses& witnesses, const RegistrationOptions& options) {
+                                   const Constraints& constraints,
+                                   const RegistrationOptions& options) {
   std::vector<FittedPose> poses;
   // On plates the rest tells the height; elsewhere the planes of two contours lie up to a wall's
   // thickness apart.
-  const bool grounded = witnesses.front_on_plate && witnesses.back_on_plate;
+  const bool grounded = constraints.front_on_plate && constraints.back_on_plate;
   for (int s = 0; s < static_cast<int>(starts.size()); ++s)
     for (const double h : {0.0, 1.0, -1.0}) {
       if (grounded && h != 0) continue;
@@ -152,7 +153,8 @@ Result<void> RegistrationOptions::check() const {
 }
 
 Result<Registration> registerSides(const Strip& front, const Strip& back,
-                                   std::span<const Isometry3d> starts, const Witnesses& witnesses,
+                                   std::span<const Isometry3d> starts,
+                                   const Constraints& constraints,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
   if (auto ok = options.check(); !ok) return ok.error();
@@ -160,8 +162,8 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
     return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
   if (options.method == Method::BilateralBoundary || options.scale == Scale::Free)
     return byBoundaries(front, back, starts, options, stop);
-  const PairFit pair(front, back, witnesses, options);
-  std::vector<FittedPose> poses = startPoses(front, starts, witnesses, options);
+  const PairFit pair(front, back, constraints, options);
+  std::vector<FittedPose> poses = startPoses(front, starts, constraints, options);
   const auto each = [&](std::vector<FittedPose>& list, void (PairFit::*fit)(FittedPose&) const) {
     parallelFor(list.size(), options.threads, [&](std::size_t i) {
       if (!stop.stop_requested()) (pair.*fit)(list[i]);
@@ -190,9 +192,9 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
 
   pair.weighed(best);
   const bool hopeless = rimsAreOne(best, front, back) < kNoPairLogLikelihood;
-  if (!hopeless && (!witnesses.front.empty() || !witnesses.back.empty())) {
-    const SilhouetteWitness silhouettes(front, back, witnesses.front, witnesses.back,
-                                        best.front_from_back, {}, options.threads);
+  if (!hopeless && (!constraints.front.empty() || !constraints.back.empty())) {
+    const SilhouetteConstraint silhouettes(front, back, constraints.front, constraints.back,
+                                           best.front_from_back, {}, options.threads);
     FittedPose refined = best;
     pair.withSilhouettes(refined, silhouettes);
     best = refined;
@@ -214,14 +216,15 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
 }
 
 Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
-                                   std::span<const Isometry3d> starts, const Witnesses& witnesses,
+                                   std::span<const Isometry3d> starts,
+                                   const Constraints& constraints,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
   auto front_strip = prepareStrip(front, options.strip);
   if (!front_strip) return front_strip.error();
   auto back_strip = prepareStrip(back, options.strip);
   if (!back_strip) return back_strip.error();
-  return registerSides(*front_strip, *back_strip, starts, witnesses, options, progress, stop);
+  return registerSides(*front_strip, *back_strip, starts, constraints, options, progress, stop);
 }
 
 }  // namespace ostraka::registration

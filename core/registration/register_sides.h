@@ -13,14 +13,14 @@
 
 namespace ostraka::registration {
 
-/// A photograph's mask as a witness: the registered sherd must fill it and stay inside.
+/// A photograph's mask as a constraint: the registered sherd must fill it and stay inside.
 struct SilhouetteView {
   rig::PosedImage camera;
   cv::Mat1b mask;  ///< coverage 0..255; of this sherd, or of all sherds of that side
 };
 
 /// What is known beside the two scans.
-struct Witnesses {
+struct Constraints {
   std::span<const SilhouetteView> front, back;  ///< in the scans' own frames; may be empty
   /// The scan's frame is a plate's: z = 0 is the plate that the sherd rested on, z up.
   bool front_on_plate = false, back_on_plate = false;
@@ -86,13 +86,15 @@ struct Registration {
 /// UnusableInput (options), NotEnough (no start, strip too small). About 0.3 s a pair, 1 thread.
 Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
                                    std::span<const Eigen::Isometry3d> front_from_back_starts,
-                                   const Witnesses& witnesses, const RegistrationOptions& options,
-                                   Progress& progress, std::stop_token stop);
+                                   const Constraints& constraints,
+                                   const RegistrationOptions& options, Progress& progress,
+                                   std::stop_token stop);
 
 /// The same for strips prepared once with prepareStrip(scan, options.strip).
 Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    std::span<const Eigen::Isometry3d> front_from_back_starts,
-                                   const Witnesses& witnesses, const RegistrationOptions& options,
-                                   Progress& progress, std::stop_token stop);
+                                   const Constraints& constraints,
+                                   const RegistrationOptions& options, Progress& progress,
+                                   std::stop_token stop);
 
 }  // namespace ostraka::registration

@@ -169,7 +169,7 @@ OutlineFit sideEvidence(std::span<const Match> matches, const SilhouetteOptions&
 
 }  // namespace
 
-struct SilhouetteWitness::View {
+struct SilhouetteConstraint::View {
   const rig::PosedImage* camera = nullptr;
   bool back_moves = false;  // a photograph of the front's shot
   double cell = 1, blur = 1.5;
@@ -180,13 +180,13 @@ struct SilhouetteWitness::View {
   std::vector<Vector3f> moving;   // the points of the other side that may come near the mask's end
 };
 
-SilhouetteWitness::~SilhouetteWitness() = default;
+SilhouetteConstraint::~SilhouetteConstraint() = default;
 
-SilhouetteWitness::SilhouetteWitness(const Strip& front, const Strip& back,
-                                     std::span<const SilhouetteView> front_views,
-                                     std::span<const SilhouetteView> back_views,
-                                     const Eigen::Isometry3d& front_from_back,
-                                     const SilhouetteOptions& options, int threads)
+SilhouetteConstraint::SilhouetteConstraint(const Strip& front, const Strip& back,
+                                           std::span<const SilhouetteView> front_views,
+                                           std::span<const SilhouetteView> back_views,
+                                           const Eigen::Isometry3d& front_from_back,
+                                           const SilhouetteOptions& options, int threads)
     : front_(front), back_(back), options_(options), threads_(threads) {
   views_.resize(front_views.size() + back_views.size());
   const Eigen::Isometry3d same = Eigen::Isometry3d::Identity();
@@ -228,8 +228,8 @@ SilhouetteWitness::SilhouetteWitness(const Strip& front, const Strip& back,
   }
 }
 
-OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
-                                       const Vector3d& pivot, double reach_px) const {
+OutlineFit SilhouetteConstraint::evidence(const Eigen::Isometry3d& front_from_back,
+                                          const Vector3d& pivot, double reach_px) const {
   std::vector<std::vector<Match>> found(views_.size());
   parallelFor(views_.size(), threads_, [&](std::size_t i) {
     const View& view = views_[i];

@@ -28,15 +28,15 @@ struct SilhouetteOptions {
 /// Registered sides must fill the outlines of the photographs of both shots to sub-pixel. In the
 /// front's photographs the back moves, in the back's the front; what is alike around an outline
 /// (fat strips, soft masks) is taken out.
-class SilhouetteWitness {
+class SilhouetteConstraint {
  public:
   /// Cuts the views' outlines once around the sherd. front_from_back: good to a millimetre.
-  SilhouetteWitness(const Strip& front, const Strip& back,
-                    std::span<const SilhouetteView> front_views,
-                    std::span<const SilhouetteView> back_views,
-                    const Eigen::Isometry3d& front_from_back, const SilhouetteOptions& options,
-                    int threads);
-  ~SilhouetteWitness();
+  SilhouetteConstraint(const Strip& front, const Strip& back,
+                       std::span<const SilhouetteView> front_views,
+                       std::span<const SilhouetteView> back_views,
+                       const Eigen::Isometry3d& front_from_back, const SilhouetteOptions& options,
+                       int threads);
+  ~SilhouetteConstraint();
 
   /// reach_px shrinks from round to round. sigma is in pixels.
   OutlineFit evidence(const Eigen::Isometry3d& front_from_back, const Eigen::Vector3d& pivot,

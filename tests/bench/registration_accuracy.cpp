@@ -3,7 +3,7 @@
 //   registration_accuracy SHARED/scans [--sets b01,stereo] [--method M] [--starts N]
 //                         [--false] [--rows] [--batch SHARED/batches/demo]
 // M: default, bbicp; with the Point Cloud Library also trimmed, gicp, fpfh, 4pcs.
-// --batch: the photographs' masks and true cameras as witnesses (for the set stereo).
+// --batch: the photographs' masks and true cameras as constraints (for the set stereo).
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
@@ -52,7 +52,7 @@ struct Arguments {
   std::string method = "default";
   int starts = 3;
   bool false_pairs = false, rows = false;
-  std::filesystem::path batch;  // a batch with truth: its cameras and masks are witnesses
+  std::filesystem::path batch;  // a batch with truth: its cameras and masks are constraints
 };
 
 struct Views {
@@ -179,7 +179,7 @@ void printRow(const std::string& set, const Pair& pair, const Row& row) {
 Result<registration::Registration> registerBy(const std::string& method, const scan::Scan& front,
                                               const scan::Scan& back,
                                               const std::vector<Isometry3d>& starts,
-                                              const registration::Witnesses& witnesses,
+                                              const registration::Constraints& constraints,
                                               const registration::RegistrationOptions& options) {
 #ifdef OSTRAKA_WITH_PCL
   if (method != "default" && method != "bbicp") {
@@ -194,7 +194,7 @@ Result<registration::Registration> registerBy(const std::string& method, const s
   (void)method;
 #endif
   QuietProgress quiet;
-  return registration::registerSides(front, back, starts, witnesses, options, quiet, {});
+  return registration::registerSides(front, back, starts, constraints, options, quiet, {});
 }
 
 void runSet(const Arguments& arguments, const std::string& set) {
@@ -227,11 +227,11 @@ void runSet(const Arguments& arguments, const std::string& set) {
     registration::RegistrationOptions options;
     if (arguments.method == "bbicp") options.method = registration::Method::BilateralBoundary;
     const double before = cpuSeconds();
-    registration::Witnesses witnesses;
-    witnesses.front = front_views;
-    witnesses.back = back_views;
-    witnesses.front_on_plate = witnesses.back_on_plate = plates;
-    auto found = registerBy(arguments.method, front, back, starts, witnesses, options);
+    registration::Constraints constraints;
+    constraints.front = front_views;
+    constraints.back = back_views;
+    constraints.front_on_plate = constraints.back_on_plate = plates;
+    auto found = registerBy(arguments.method, front, back, starts, constraints, options);
     Row row;
     row.seconds = cpuSeconds() - before;
     if (!found) {

@@ -1,9 +1,9 @@
 // How well the pairs of finished `ostraka process` results are registered, and whether the stated
 // uncertainty holds: each true pair from the starts that the outlines gave, with the result's own
 // scans, cameras and masks.
-//   registration_processed [--witnesses] OUT TRUTH [OUT TRUTH ...]
-// TRUTH: the batch's truth folder. --witnesses: also what each witness says at the true pose: its
-// chi-square per degree of freedom (1: honest) and how far off it would pull alone.
+//   registration_processed [--constraints] OUT TRUTH [OUT TRUTH ...]
+// TRUTH: the batch's truth folder. --constraints: also what each constraint says at the true pose:
+// its chi-square per degree of freedom (1: honest) and how far off it would pull alone.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -78,8 +78,8 @@ double quantile(std::vector<double> values, double share) {
   return values[k];
 }
 
-// The start's own spread keeps directions that a witness says nothing of from counting.
-void printWitness(const char* name, const reg::Evidence& e, double radius) {
+// The start's own spread keeps directions that a constraint says nothing of from counting.
+void printConstraint(const char* name, const reg::Evidence& e, double radius) {
   reg::Matrix6 prior = reg::Matrix6::Zero();
   for (int k = 0; k < 3; ++k) prior(k, k) = radius * radius, prior(k + 3, k + 3) = 1;
   const reg::Matrix6 all = e.information + prior;  // 1 mm
@@ -95,8 +95,8 @@ void printWitness(const char* name, const reg::Evidence& e, double radius) {
       x[2] * radius, s[3], s[4], s[5], s[0] * radius, s[1] * radius, s[2] * radius);
 }
 
-void printWitnesses(const Isometry3d& truth, const reg::Witnesses& w, const reg::Strip& front,
-                    const reg::Strip& back) {
+void printConstraintes(const Isometry3d& truth, const reg::Constraints& w, const reg::Strip& front,
+                       const reg::Strip& back) {
   const Vector3d pivot = 0.5 * (front.centre + truth * back.centre);
   const double radius = 0.5 * (front.radius_mm + back.radius_mm);
   const double spacing = std::max(front.spacing_mm, back.spacing_mm);
@@ -117,15 +117,15 @@ void printWitnesses(const Isometry3d& truth, const reg::Witnesses& w, const reg:
       "radius %.1f points %zu %zu\n",
       front.noise_mm, back.noise_mm, spacing, rim.sigma_mm, rim.pairs, misfit.alike, rim.overlap,
       radius, front.fine.points.size(), back.fine.points.size());
-  printWitness("strip", rim.evidence, radius);
+  printConstraint("strip", rim.evidence, radius);
   const auto colours = reg::fitColours(front.fine, back.fine, truth, pivot, {});
   std::printf("      colours %d pairs, correlation %.2f %.2f %.2f\n", colours.pairs,
               colours.correlation[0], colours.correlation[1], colours.correlation[2]);
-  printWitness("colours", colours.evidence, radius);
+  printConstraint("colours", colours.evidence, radius);
   const auto outline =
       reg::fitOutlines(front.all, back.all, spacing, truth,
                        (front.up - truth.linear() * back.up).normalized(), pivot, {});
-  printWitness("outline", outline.evidence, radius);
+  printConstraint("outline", outline.evidence, radius);
   for (const bool on_front : {true, false}) {
     reg::ContactOptions contact;
     contact.grain_mm = spacing;
@@ -136,7 +136,7 @@ void printWitnesses(const Isometry3d& truth, const reg::Witnesses& w, const reg:
     }
     const auto rest =
         reg::contactEvidence(front, back, truth, pivot, on_front, !on_front, 0, contact);
-    printWitness(on_front ? "rest front" : "rest back", rest, radius);
+    printConstraint(on_front ? "rest front" : "rest back", rest, radius);
     const Isometry3d pose = on_front ? truth : truth.inverse();
     const reg::Strip& side = on_front ? back : front;
     const Vector3d centre = 0.5 * ((on_front ? front : back).centre + pose * side.centre);
@@ -149,10 +149,10 @@ void printWitnesses(const Isometry3d& truth, const reg::Witnesses& w, const reg:
     std::printf("\n");
   }
   if (!w.front.empty()) {
-    const reg::SilhouetteWitness s(front, back, w.front, w.back, truth, {}, 1);
+    const reg::SilhouetteConstraint s(front, back, w.front, w.back, truth, {}, 1);
     const auto fit = s.evidence(truth, pivot, 3);
     std::printf("      silhouettes sigma %.2f px, %d\n", fit.sigma_mm, fit.pairs);
-    printWitness("silhouettes", fit.evidence, radius);
+    printConstraint("silhouettes", fit.evidence, radius);
   }
 }
 
@@ -172,7 +172,7 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
         cv::imread((masks / pipeline::maskName(camera)).string(), cv::IMREAD_GRAYSCALE);
     (of_front ? front_views : back_views).push_back({camera, mask});
   }
-  const reg::Witnesses witnesses{front_views, back_views, true, true};
+  const reg::Constraints constraints{front_views, back_views, true, true};
   for (const pipeline::RegisteredCandidate& c : table->candidates) {
     scan::Scan front, back;
     front.cloud = *readPlyCloud(out / "work" /
@@ -189,7 +189,7 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
     if (!front_strip || !back_strip) continue;
     QuietProgress quiet;
     const auto found =
-        reg::registerSides(*front_strip, *back_strip, starts, witnesses, {}, quiet, {});
+        reg::registerSides(*front_strip, *back_strip, starts, constraints, {}, quiet, {});
     if (!found) continue;
     double squares = 0;
     for (const auto& p : back.cloud.points)
@@ -209,7 +209,7 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
         found->uncertainty_mm, rms / found->uncertainty_mm, shift.x(), shift.y(), shift.z(),
         tilt.x(), tilt.y(), tilt.z(), found->rim_rms_mm, found->rim_overlap, found->misfit_mm,
         found->reason.c_str());
-    if (explain) printWitnesses(t, witnesses, *front_strip, *back_strip);
+    if (explain) printConstraintes(t, constraints, *front_strip, *back_strip);
     std::fflush(stdout);
     ratios.error.push_back(rms);
     ratios.over_stated.push_back(rms / found->uncertainty_mm);
@@ -224,12 +224,13 @@ int main(int argc, char** argv) {
   bool explain = false;
   std::vector<fs::path> paths;
   for (int i = 1; i < argc; ++i)
-    if (std::strcmp(argv[i], "--witnesses") == 0)
+    if (std::strcmp(argv[i], "--constraints") == 0)
       explain = true;
     else
       paths.emplace_back(argv[i]);
   if (paths.size() < 2 || paths.size() % 2 != 0)
-    return std::fprintf(stderr, "usage: %s [--witnesses] OUT TRUTH [OUT TRUTH ...]\n", argv[0]), 2;
+    return std::fprintf(stderr, "usage: %s [--constraints] OUT TRUTH [OUT TRUTH ...]\n", argv[0]),
+           2;
   Ratios ratios;
   for (std::size_t i = 0; i + 1 < paths.size(); i += 2)
     runResult(paths[i], paths[i + 1], explain, ratios);

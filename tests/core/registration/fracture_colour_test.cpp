@@ -40,7 +40,7 @@ Isometry3d turned(const SimulatedSherd& sherd, double rad) {
 
 Result<Registration> run(const SimulatedSherd& sherd, const Isometry3d& start) {
   QuietProgress quiet;
-  Witnesses plates;
+  Constraints plates;
   plates.front_on_plate = plates.back_on_plate = true;
   return registerSides(sherd.front, sherd.back, std::array{start}, plates, {}, quiet, {});
 }

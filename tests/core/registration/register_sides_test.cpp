@@ -16,9 +16,9 @@ Result<Registration> run(const scan::Scan& front, const scan::Scan& back,
                          const std::vector<Isometry3d>& starts, RegistrationOptions options = {},
                          bool on_plate = true) {
   QuietProgress quiet;
-  Witnesses witnesses;
-  witnesses.front_on_plate = witnesses.back_on_plate = on_plate;
-  return registerSides(front, back, starts, witnesses, options, quiet, {});
+  Constraints constraints;
+  constraints.front_on_plate = constraints.back_on_plate = on_plate;
+  return registerSides(front, back, starts, constraints, options, quiet, {});
 }
 
 // As scans are: they end a little above the plate that their sherd stands on.
@@ -145,10 +145,10 @@ TEST(RegisterSides, ASmoothRoundSherdThatSlidIsCalledSlipped) {
     Isometry3d start = sherd.truth;
     start.prerotate(Eigen::AngleAxisd(slid_mm / 20, Eigen::Vector3d::UnitZ()));
     QuietProgress progress;
-    Witnesses witnesses;
-    witnesses.front_on_plate = witnesses.back_on_plate = true;
+    Constraints constraints;
+    constraints.front_on_plate = constraints.back_on_plate = true;
     const auto found = registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
-                                     witnesses, {}, progress, {});
+                                     constraints, {}, progress, {});
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->slipped) << slid_mm << " mm: uncertain by " << found->uncertainty_mm
                                 << ", rival " << found->runner_up_gap << " below";

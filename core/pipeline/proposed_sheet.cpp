@@ -24,6 +24,8 @@ bool hasGuessedSize(const batch::Batch& batch, const ProcessOptions& options) {
 Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& options,
                                  Progress& progress, std::stop_token stop) {
   if (batch.plate || batch.way != batch::Way::FreeCamera) return {};
+  // A length that was marked is worth more than markers of a size that nobody knows.
+  if (!options.marker_mm && (!batch.known_lengths.empty() || batch.board)) return {};
   std::vector<std::filesystem::path> fronts;
   for (const batch::Shot& shot : batch.shots)
     if (shot.side == batch::Side::Front) fronts.push_back(shot.file);

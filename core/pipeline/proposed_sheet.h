@@ -11,7 +11,8 @@ namespace ostraka::pipeline {
 /// Photographs by hand without plate.json: the sheet under the sherds is sought in those of the
 /// front, its size from ProcessOptions::marker_mm; a warning says so. Without marker_mm the size is
 /// a guess (hasGuessedSize), and no sheet is found where there are no markers. Leaves a batch alone
-/// that has a plate or was taken on a rig. Errors: UnusableInput (marker_mm), NotEnough, Cancelled.
+/// that has a plate, was taken on a rig, or whose size scale.json or a board tells (no_plate.h).
+/// Errors: UnusableInput (marker_mm), NotEnough, Cancelled.
 Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& options,
                                  Progress& progress, std::stop_token stop);
 

@@ -56,6 +56,18 @@ TEST(ProposedSheet, IsNoneWhereThePhotographsShowNoMarkers) {
   EXPECT_EQ(asked.error().code, ErrorCode::NotEnough);
 }
 
+TEST(ProposedSheet, OfUnknownSizeGivesWayToALengthThatWasMarked) {
+  batch::Batch batch = photographsIn("/batches/hand/front");
+  batch.known_lengths.push_back({batch::Side::Front, 50, {}});
+  Told told;
+  EXPECT_TRUE(proposeMissingSheet(batch, {}, told, {}).has_value());
+  EXPECT_FALSE(batch.plate.has_value()) << "the length would be compared with a guess";
+  ProcessOptions options;
+  options.marker_mm = 20;
+  EXPECT_TRUE(proposeMissingSheet(batch, options, told, {}).has_value());
+  EXPECT_TRUE(batch.plate.has_value()) << "the length checks a size that was measured";
+}
+
 TEST(ProposedSheet, IsNotSoughtOnARig) {
   batch::Batch batch = photographsIn("/batches/hand/front");
   batch.way = batch::Way::Rig;

@@ -1,7 +1,11 @@
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
 #include "batch/image_header.h"
@@ -96,6 +100,93 @@ TEST(TurningPlate, IsToldByThePosesOfOneCamerasPhotographs) {
   }
   const std::vector<PosedImage> walked = *readCameras(kHand / "truth/cameras.json");
   EXPECT_FALSE(turntablePlaces(std::span(walked).first(20)));
+}
+
+class Warned final : public Progress {
+ public:
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel level, std::string_view text) override {
+    if (level == NoteLevel::Warning) warnings.emplace_back(text);
+  }
+  std::vector<std::string> warnings;
+};
+
+// Ten photographs of one side.
+batch::Batch tenByHand() {
+  batch::Batch batch = hand();
+  batch.shots.resize(10);
+  return batch;
+}
+
+TEST(HandHeldPhotographs, OfAnotherSceneAreLeftOutWithOneWarning) {
+  batch::Batch batch = tenByHand();
+  batch::Batch apple;
+  addSide(apple, batch::Side::Front, kApple / "photographs");
+  for (int k = 0; k < 5; ++k) {
+    batch.shots.push_back(apple.shots[static_cast<std::size_t>(k)]);
+    batch.shots.back().camera = 10 + k;
+  }
+  Warned told;
+  const Result<BatchPoses> poses = poseFreeCameras(batch, {}, told, {});
+  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+  EXPECT_EQ(poses->images.size(), 10U);
+  ASSERT_EQ(told.warnings.size(), 1U);
+  EXPECT_NE(told.warnings[0].find("and 2 more"), std::string::npos) << told.warnings[0];
+}
+
+// A photograph of the batch is replaced by what becomes of its picture.
+class ChangedPhotographs : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  void change(std::size_t k, const std::function<cv::Mat(const cv::Mat&)>& how) {
+    const cv::Mat changed = how(cv::imread(batch_.shots[k].file.string()));
+    batch_.shots[k].file = folder_ / batch_.shots[k].file.filename();
+    ASSERT_TRUE(cv::imwrite(batch_.shots[k].file.string(), changed));
+  }
+
+  batch::Batch batch_ = tenByHand();
+  fs::path folder_ = fs::temp_directory_path() / (std::to_string(::getpid()) + "-changed");
+};
+
+TEST_F(ChangedPhotographs, ThatWereZoomedGetTheirOwnFocalLength) {
+  // The middle two thirds, as large as the others: two of ten, too few to tell a lens of their own.
+  for (const std::size_t k : {2U, 7U})
+    change(k, [](const cv::Mat& whole) {
+      cv::Mat zoomed;
+      cv::resize(
+          whole(cv::Rect(whole.cols / 6, whole.rows / 6, 2 * whole.cols / 3, 2 * whole.rows / 3)),
+          zoomed, whole.size(), 0, 0, cv::INTER_CUBIC);
+      return zoomed;
+    });
+  Warned told;
+  const Result<BatchPoses> poses = poseFreeCameras(batch_, {}, told, {});
+  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+  ASSERT_EQ(poses->images.size(), 10U);
+  // The lens breathes by 2 %.
+  for (std::size_t k = 0; k < 10; ++k)
+    EXPECT_NEAR(poses->images[k].intrinsics.fx,
+                poses->images[0].intrinsics.fx * (k == 2 || k == 7 ? 1.5 : 1),
+                0.02 * poses->images[0].intrinsics.fx);
+}
+
+TEST_F(ChangedPhotographs, InWhichMostMarkersLieElsewhereAreLeftOutByName) {
+  // Its quarters change places: no pose agrees with more than one of them.
+  change(4, [](const cv::Mat& whole) {
+    const int w = whole.cols / 2, h = whole.rows / 2;
+    cv::Mat mixed(whole.size(), whole.type());
+    for (const int x : {0, 1})
+      for (const int y : {0, 1})
+        whole(cv::Rect(x * w, y * h, w, h)).copyTo(mixed(cv::Rect((1 - x) * w, (1 - y) * h, w, h)));
+    return mixed;
+  });
+  Warned told;
+  const Result<BatchPoses> poses = poseFreeCameras(batch_, {}, told, {});
+  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+  EXPECT_EQ(poses->images.size(), 9U);
+  ASSERT_EQ(told.warnings.size(), 1U);
+  EXPECT_NE(told.warnings[0].find(batch_.shots[4].file.filename().string()), std::string::npos)
+      << told.warnings[0];
 }
 
 TEST(HandHeldPhotographs, OfARealTelephoneOverABentSheetArePosedAll) {

@@ -9340,9 +9340,9 @@
       <translation>Bogen: %1</translation>
     </message>
     <message>
-      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
+      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine plate.json eines Bogens liegt neben den Fotos. Die gedruckte auswählen; ohne sie hat das Ergebnis keinen Maßstab.</translation>
+      <translation>Kein Bogen: Neben den Fotos liegt keine plate.json. Ohne sie hat das Ergebnis keinen Maßstab.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -9335,9 +9335,9 @@
       <translation>Φύλλο: %1</translation>
     </message>
     <message>
-      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
+      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπάρχει plate.json κάποιου φύλλου δίπλα στις φωτογραφίες. Επιλέξτε αυτό που τυπώθηκε· χωρίς αυτό το αποτέλεσμα δεν έχει κλίμακα.</translation>
+      <translation>Χωρίς φύλλο: δεν υπάρχει plate.json δίπλα στις φωτογραφίες. Χωρίς αυτό το αποτέλεσμα δεν έχει κλίμακα.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -9335,9 +9335,9 @@
       <translation>Hoja: %1</translation>
     </message>
     <message>
-      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
+      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Junto a las fotografías no hay ningún plate.json de una hoja. Elija el que se imprimió; sin él el resultado no tiene escala.</translation>
+      <translation>Sin hoja: no hay ningún plate.json junto a las fotos. Sin él, el resultado no tiene escala.</translation>
     </message>
     <message>
       <source>%1: none</source>

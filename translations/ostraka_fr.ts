@@ -9335,9 +9335,9 @@
       <translation>Feuille : %1</translation>
     </message>
     <message>
-      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
+      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun plate.json d’une feuille ne se trouve à côté des photographies. Choisissez celui qui a été imprimé ; sans lui, le résultat n’a pas d’échelle.</translation>
+      <translation>Pas de feuille : aucun plate.json à côté des photos. Sans lui, le résultat n’a pas d’échelle.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -9335,9 +9335,9 @@
       <translation>Թերթ՝ %1</translation>
     </message>
     <message>
-      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
+      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարների կողքին թերթի plate.json չկա։ Ընտրեք տպվածը. առանց դրա արդյունքը մասշտաբ չունի։</translation>
+      <translation>Թերթ չկա. լուսանկարների կողքին plate.json չկա։ Առանց դրա արդյունքը մասշտաբ չունի։</translation>
     </message>
     <message>
       <source>%1: none</source>

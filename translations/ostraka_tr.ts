@@ -9286,9 +9286,9 @@
       <translation>Sayfa: %1</translation>
     </message>
     <message>
-      <source>No plate.json of a sheet lies beside the photographs. Choose the one that was printed; without it the result has no scale.</source>
+      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğrafların yanında bir sayfanın plate.json dosyası yok. Yazdırılanı seçin; o olmadan sonucun ölçeği olmaz.</translation>
+      <translation>Sayfa yok: fotoğrafların yanında plate.json yok. O olmadan sonucun ölçeği olmaz.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -136,8 +136,8 @@ void SidesView::follow() {
                "sherds were turned over."));
   sheet_->setText(
       plan_.sheet ? tr("Sheet: %1").arg(QString::fromStdString(plan_.sheet->string()))
-                  : tr("No plate.json of a sheet lies beside the photographs. Choose the one that "
-                       "was printed; without it the result has no scale."));
+                  : tr("No sheet: no plate.json lies beside the photographs. Without it the result "
+                       "has no scale."));
   emit changed();
 }
 

@@ -112,6 +112,23 @@ TEST(SheetPicture, TakesAShadowThatAllPhotographsSeeAlikeForBareSheetAndGrainyCl
   EXPECT_EQ(picture.shade(cellOf(-10, 30)), 0);
 }
 
+TEST(SheetPicture, TellsEvenBlackClayFromAShadowByItsOutlineThatStandsAboveTheSheet) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  // A face 4 mm above the sheet, seen at 45 degrees from all around, and two shadows.
+  const auto samples = sheetPhotographs(printed, [&](std::size_t i, double x, double y) {
+    const double turn = 2 * M_PI * static_cast<double>(i) / 12;
+    if (inPatch(x, y, 30 + 4 * std::cos(turn), 4 * std::sin(turn), 12)) return -1.5F;
+    if (inPatch(x, y, -5, -25, 12)) return -0.3F;
+    return inPatch(x, y, -5, 10, 12) ? -1.2F : 0.F;
+  });
+  const SheetPicture picture = buildSheetPicture(samples, printed);
+  ASSERT_TRUE(picture.still_light);
+  EXPECT_EQ(picture.witnessed(cellOf(32, 0)), 0);
+  EXPECT_NEAR(picture.correction(cellOf(32, 0))[1], 0, 0.12F);
+  EXPECT_NE(picture.shade(cellOf(-5, 10)), 0);
+  EXPECT_NEAR(picture.correction(cellOf(-5, 10))[1], -1.2F, 0.05F);
+}
+
 TEST(SheetPicture, NoticesThatTheLightTurnsOverTheSheet) {
   const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
   const auto samples = sheetPhotographs(printed, [](std::size_t i, double x, double y) {

@@ -7979,6 +7979,11 @@
       <translation>Scherbe %1: %2 % der Oberfläche hat keine Kamera gesehen; sie sind ergänzt, im Bild orange. Wenn es darauf ankommt, die Scherbe noch einmal aufnehmen.</translation>
     </message>
     <message>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1: Durch ihr Modell geht ein Loch (%2 mm²). Wenn die Scherbe keines hat, zeigen die Aufnahmen diese Stelle nicht; sie noch einmal aufnehmen.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie nennt %1, das nicht in dem Durchgang ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>

@@ -7974,6 +7974,11 @@
       <translation>Όστρακο %1: το %2 % της επιφάνειάς του δεν το είδε καμία κάμερα και έχει συμπληρωθεί, πορτοκαλί στην εικόνα· φωτογραφίστε το ξανά, αν έχει σημασία.</translation>
     </message>
     <message>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακο %1: το μοντέλο του έχει μια διαμπερή οπή (%2 mm²). Αν το όστρακο δεν έχει καμία, οι φωτογραφίες δεν δείχνουν αυτό το σημείο· φωτογραφίστε το ξανά.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ονομάζει το %1, που δεν είναι στην παρτίδα· διαγράψτε αυτό το αρχείο, και οι κάμερες θα βρεθούν ξανά.</translation>

@@ -7974,6 +7974,11 @@
       <translation>Fragmento %1: ninguna cámara vio el %2 % de su superficie; está rellenado, en naranja en la imagen. Fotografíelo de nuevo si importa.</translation>
     </message>
     <message>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmento %1: su modelo tiene un agujero que lo atraviesa (%2 mm²). Si el fragmento no tiene ninguno, las fotografías no muestran ese lugar; fotografíelo de nuevo.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nombra %1, que no está en la tanda; borre este archivo y las cámaras se hallarán de nuevo.</translation>

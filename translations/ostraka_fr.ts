@@ -7974,6 +7974,11 @@
       <translation>Tesson %1 : %2 % de sa surface n’ont été vus par aucun appareil et sont comblés, en orange sur l’image ; le photographier de nouveau si cela compte.</translation>
     </message>
     <message>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson %1 : son modèle est percé de part en part (%2 mm²). Si le tesson ne l’est pas, les photographies ne montrent pas cet endroit ; photographiez-le de nouveau.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il nomme %1, qui n’est pas dans le lot ; supprimez ce fichier, et les appareils seront retrouvés.</translation>

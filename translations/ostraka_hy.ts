@@ -7974,6 +7974,11 @@
       <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, կրկին լուսանկարեք։</translation>
     </message>
     <message>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկոր %1. դրա մոդելն ունի միջանցիկ անցք (%2 մմ²)։ Եթե բեկորն անցք չունի, լուսանկարները չեն ցույց տալիս այդ տեղը. կրկին լուսանկարեք այն։</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն նշում է %1-ը, որը խմբաքանակում չկա. ջնջեք այս ֆայլը, և տեսախցիկները նորից կգտնվեն։</translation>

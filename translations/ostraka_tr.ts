@@ -7926,6 +7926,11 @@
       <translation>Parça %1: yüzeyinin %2 % kadarını hiçbir kamera görmedi; bu kısım dolduruldu, resimde turuncu. Önemliyse yeniden fotoğraflayın.</translation>
     </message>
     <message>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça %1: modelinde bir yandan öbür yana geçen bir delik var (%2 mm²). Parçada delik yoksa fotoğraflar o yeri göstermiyor; yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
       <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partide olmayan %1 dosyasını anıyor; bu dosyayı silin, kameralar yeniden bulunur.</translation>

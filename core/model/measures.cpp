@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <opencv2/imgproc.hpp>
 
 #include "model/model.h"
 #include "model/ray_grid.h"
@@ -112,6 +113,34 @@ std::vector<double> thicknesses(const TriangleMesh& mesh, const Vector3d& across
   return found;
 }
 
+// Area of the gaps that the faces leave within their outline, each at least `kLeastHole_mm2`: a
+// gap as small lies between the faces of one rough edge. places: the vertices in the sherd's plane.
+double holesBetween(const TriangleMesh& mesh, const std::vector<Vector2d>& places) {
+  constexpr double kPitch_mm = 0.25, kLeastHole_mm2 = 1;
+  Vector2d low = places[0], high = places[0];
+  for (const Vector2d& p : places) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const Eigen::Array2i size = ((high - low) / kPitch_mm).array().ceil().cast<int>() + 3;
+  cv::Mat1b shown(size[1], size[0], uchar{0});
+  constexpr int kShift = 6;
+  const auto pixel = [&](int v) {
+    const Vector2d at = ((places[static_cast<std::size_t>(v)] - low) / kPitch_mm).array() + 1;
+    return cv::Point(cvRound(at[0] * (1 << kShift)), cvRound(at[1] * (1 << kShift)));
+  };
+  for (const auto& t : mesh.triangles) {
+    const cv::Point corners[] = {pixel(t[0]), pixel(t[1]), pixel(t[2])};
+    cv::fillConvexPoly(shown, corners, 3, cv::Scalar(255), cv::LINE_8, kShift);
+  }
+  cv::Mat labels, stats, centres;
+  const int parts = cv::connectedComponentsWithStats(shown == 0, labels, stats, centres, 4);
+  const int around = labels.at<int>(0, 0);
+  double sum = 0;
+  for (int k = 1; k < parts; ++k) {
+    const double area = stats.at<int>(k, cv::CC_STAT_AREA) * kPitch_mm * kPitch_mm;
+    if (k != around && area >= kLeastHole_mm2) sum += area;
+  }
+  return sum;
+}
+
 }  // namespace
 
 Measures measure(const TriangleMesh& mesh) {
@@ -133,6 +162,7 @@ Measures measure(const TriangleMesh& mesh) {
     const Vector3d d = v.cast<double>() - mean;
     outline.emplace_back(axes.eigenvectors().col(2).dot(d), axes.eigenvectors().col(1).dot(d));
   }
+  m.holes_mm2 = holesBetween(mesh, outline);
   const Vector2d sides = smallestRectangle(convexHull(std::move(outline)));
   m.length_mm = sides.maxCoeff();
   m.width_mm = sides.minCoeff();

@@ -60,6 +60,8 @@ struct Measures {
   /// are the 2nd and 98th percentile. 0 when no ray meets a wall.
   double thickness_min_mm = 0, thickness_mean_mm = 0, thickness_max_mm = 0;
   double area_mm2 = 0;
+  double holes_mm2 = 0;  ///< of what one sees right through the sherd, along the axis of its plane:
+                         ///< drilled holes, or places that no camera saw; single ones above 1 mm^2
   double volume_mm3 = 0;                               ///< positive for outward faces
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< of the volume
 };

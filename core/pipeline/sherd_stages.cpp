@@ -27,6 +27,7 @@ ordered_json toJson(const model::Measures& m) {
           {"thickness_mean_mm", m.thickness_mean_mm},
           {"thickness_max_mm", m.thickness_max_mm},
           {"area_mm2", m.area_mm2},
+          {"holes_mm2", m.holes_mm2},
           {"volume_mm3", m.volume_mm3}};
 }
 
@@ -38,12 +39,20 @@ Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh) {
 
 // Sherds that were seen all around have gaps of less than a hundredth; with parts of the break
 // missing it is a tenth.
-std::vector<std::string> warningsAbout(const model::SherdModel& model, const std::string& number) {
+std::vector<std::string> warningsAbout(const model::SherdModel& model,
+                                       const model::Measures& measures, const std::string& number) {
   constexpr double kMostFilled = 0.03;
-  if (model.filled_share <= kMostFilled) return {};
-  return {"Sherd " + number + ": " + fixed(100 * model.filled_share, 0) +
-          " % of its surface was seen by no camera and is filled in, orange in its picture; "
-          "photograph it again if that matters."};
+  std::vector<std::string> warnings;
+  if (measures.holes_mm2 > 0)
+    warnings.push_back("Sherd " + number + ": its model has a hole right through it (" +
+                       fixed(measures.holes_mm2, 0) +
+                       " mm²). If the sherd has none, the photographs do not show that place; "
+                       "photograph it again.");
+  if (model.filled_share > kMostFilled)
+    warnings.push_back("Sherd " + number + ": " + fixed(100 * model.filled_share, 0) +
+                       " % of its surface was seen by no camera and is filled in, orange in its "
+                       "picture; photograph it again if that matters.");
+  return warnings;
 }
 
 Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::string& number,
@@ -69,6 +78,7 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
   if (const Result<void> r = writeGlb(folder / "model.glb", *light, extras); !r) return r.error();
   if (const Result<void> r = writePreview(folder / "preview.png", model->mesh); !r)
     return r.error();
+  const model::Measures measures = model::measure(model->mesh);
   ordered_json figures = {{"model", true},
                           {"faces", model->mesh.triangles.size()},
                           {"points_front", front.cloud.size()},
@@ -78,8 +88,8 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
                           {"noise_mm", model->noise_mm},
                           {"side_gap_mm", model->side_gap_mm},
                           {"filled_share", model->filled_share},
-                          {"measures", toJson(model::measure(model->mesh))}};
-  return StageNotes{std::move(figures), warningsAbout(*model, number)};
+                          {"measures", toJson(measures)}};
+  return StageNotes{std::move(figures), warningsAbout(*model, measures, number)};
 }
 
 }  // namespace

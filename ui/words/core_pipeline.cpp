@@ -236,6 +236,9 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error", "export them in mm, or use --scale free"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Sherd %1 has no model: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Sherd %1: its model has a hole right through it (%2 mm²). If the sherd "
+                        "has none, the photographs do not show that place; photograph it again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "Sherd %1: %2 % of its surface was seen by no camera and is filled in, "
                         "orange in its picture; photograph it again if that matters."),
       QT_TRANSLATE_NOOP("ostraka::Error",

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/contouring.h"
 #include "model/model.h"
 #include "shapes.h"
@@ -36,6 +39,29 @@ TEST(Measures, ThicknessIsThatOfTheWallNotOfTheBreaks) {
   EXPECT_NEAR(m.thickness_min_mm, 4, 0.06);
   EXPECT_NEAR(m.thickness_mean_mm, 4, 0.02);
   EXPECT_NEAR(m.thickness_max_mm, 4, 0.02);
+}
+
+// A plate of 24 x 18 x 4 mm with a hole of this radius drilled through it, and a hollow beside it.
+TriangleMesh drilledPlate(float radius) {
+  Grid grid;
+  grid.cell_mm = 0.5f;
+  grid.size = {60, 48, 20};
+  const Eigen::Vector3f centre(14.6f, 11.7f, 4.6f), size(24, 18, 4);
+  for (int z = 0; z < 20; ++z)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 60; ++x) {
+        const Eigen::Vector3f p = grid.node(x, y, z) - centre;
+        const Eigen::Vector3f q = p.cwiseAbs() - 0.5f * size;
+        const float hollow = 2 - (p - Eigen::Vector3f(-7, 0, 2)).norm();
+        grid.values.push_back(std::max({q.maxCoeff(), radius - p.head<2>().norm(), hollow}));
+      }
+  return contour(grid);
+}
+
+TEST(Measures, AHoleIsWhatOneSeesRightThroughAndAHollowIsNone) {
+  EXPECT_EQ(measure(drilledPlate(0)).holes_mm2, 0);
+  EXPECT_NEAR(measure(drilledPlate(2)).holes_mm2, M_PI * 4, 2.5);  // cells of 0.5 mm, drawn full
+  EXPECT_NEAR(measure(drilledPlate(3)).holes_mm2, M_PI * 9, 4);
 }
 
 TEST(Measures, AMeshWithoutFacesMeasuresNothing) {

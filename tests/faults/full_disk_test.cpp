@@ -1,8 +1,8 @@
 // The disk fills at a write of a command: it says so, and goes on when there is room again.
 // OSTRAKA_EVERY_WRITE=1 tries each write of each command, which takes many minutes.
 #include "batch_for_faults.h"
-#include "kills.h"
 #include "small_disk.h"
+#include "undisturbed.h"
 
 namespace ostraka::test {
 namespace {

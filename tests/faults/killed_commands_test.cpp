@@ -1,8 +1,8 @@
 // Commands of a project, killed at any moment: what stood there still stands, and the same command,
 // given again, ends as if nobody had killed it. kills.h says how to kill them more often.
-#include "kills.h"
 #include "project_commands.h"
 #include "small_disk.h"
+#include "undisturbed.h"
 
 namespace ostraka::test {
 namespace {

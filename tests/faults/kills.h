@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -21,18 +22,37 @@ inline int kills() {
   return numberFrom("OSTRAKA_KILLS", 2);
 }
 
-/// Moments at which about every second process is still at work, however long the work takes here.
+/// Moments at which a process is still at work so many times for each time that it has ended,
+/// however long the work takes here.
 class Delays {
  public:
+  explicit Delays(double kills_per_end = 1) : kills_per_end_(kills_per_end) {}
   double next_s() { return longest_s_ * std::uniform_real_distribution<double>(0, 1)(random_); }
-  void heard(bool killed) { longest_s_ *= killed ? 1.25 : 0.8; }
+  void heard(bool killed) { longest_s_ *= std::pow(1.25, killed ? 1 : -kills_per_end_); }
   unsigned seed() const { return seed_; }
 
  private:
   unsigned seed_ = static_cast<unsigned>(numberFrom("OSTRAKA_SEED", 24));
   std::mt19937_64 random_{seed_};
-  double longest_s_ = 0.1;
+  double kills_per_end_, longest_s_ = 0.1;
 };
+
+/// Runs the command and kills it at the next moment; status -1 where it was at work.
+inline Ended runAndKill(Delays& delays, const std::vector<std::string>& command,
+                        const std::filesystem::path& errors) {
+  const pid_t program = startProgram(command, errors);
+  std::this_thread::sleep_for(std::chrono::duration<double>(delays.next_s()));
+  ::kill(program, SIGKILL);
+  Ended ended = waitFor(program, errors);
+  delays.heard(ended.status < 0);
+  return ended;
+}
+
+inline void tellKills(int killed, const std::vector<std::string>& command,
+                      const std::string& when) {
+  std::printf("%d kills of %s %s, %s\n", killed, command[0].c_str(),
+              command[1][0] == '/' || command[1][0] == '-' ? "" : command[1].c_str(), when.c_str());
+}
 
 /// prepare: before each run. still: what must hold right after a kill. done: after the same command
 /// has been given again.
@@ -43,12 +63,7 @@ void killRepeatedly(const std::vector<std::string>& command, const std::filesyst
   int killed = 0;
   for (int tries = 0; killed < times && tries < 20 * times; ++tries) {
     prepare();
-    const pid_t program = startProgram(command, errors);
-    std::this_thread::sleep_for(std::chrono::duration<double>(delays.next_s()));
-    ::kill(program, SIGKILL);
-    const bool was_killed = waitFor(program, errors).status < 0;
-    delays.heard(was_killed);
-    if (!was_killed) continue;
+    if (runAndKill(delays, command, errors).status >= 0) continue;
     SCOPED_TRACE("seed " + std::to_string(delays.seed()) + ", kill " + std::to_string(++killed));
     still();
     const Ended again = runProgram(command, errors);
@@ -56,70 +71,7 @@ void killRepeatedly(const std::vector<std::string>& command, const std::filesyst
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_EQ(killed, times);
-  std::printf("%d kills of %s %s, seed %u\n", killed, command[0].c_str(),
-              command[1][0] == '/' || command[1][0] == '-' ? "" : command[1].c_str(),
-              delays.seed());
-}
-
-using Digests = std::map<std::string, std::string>;
-
-/// What a command writes below its target when nobody disturbs it: files that are the same each
-/// time, and those that tell the time.
-class Undisturbed {
- public:
-  Undisturbed(const std::vector<std::string>& command, const std::filesystem::path& target,
-              const std::filesystem::path& errors)
-      : target_(target) {
-    for (Digests& found : runs_) {
-      std::filesystem::remove_all(target);
-      const Ended ended = runProgram(command, errors);
-      status_ = ended.status;
-      EXPECT_NE(status_, 2) << ended.errors;
-      found = digests(target);
-      EXPECT_FALSE(found.empty());
-    }
-  }
-  int status() const { return status_; }
-  Digests whole() const { return lasting(runs_[0]); }
-  Digests now() const { return lasting(digests(target_)); }
-
- private:
-  Digests lasting(const Digests& found) const {
-    Digests kept;
-    for (const auto& [name, digest] : found) {
-      const auto a = runs_[0].find(name), b = runs_[1].find(name);
-      const bool lasts = a != runs_[0].end() && b != runs_[1].end() && a->second == b->second;
-      kept[name] = lasts ? digest : "tells the time";
-    }
-    return kept;
-  }
-  std::filesystem::path target_;
-  Digests runs_[2];
-  int status_ = -1;
-};
-
-/// Killed and given again a command writes the same bytes. Whatever has its last name, seal, after
-/// a kill is whole with all that belongs to it: no half result passes for one.
-inline void killedWithTheSameBytes(const std::vector<std::string>& command,
-                                   const std::filesystem::path& target, const std::string& seal,
-                                   const std::filesystem::path& errors, int times = kills()) {
-  const Undisturbed undisturbed(command, target, errors);
-  ASSERT_TRUE(undisturbed.whole().contains(seal)) << seal;
-  killRepeatedly(
-      command, errors, [&] { std::filesystem::remove_all(target); },
-      [&] {
-        if (std::filesystem::exists(target / seal)) {
-          EXPECT_EQ(undisturbed.now(), undisturbed.whole());
-        }
-      },
-      [&](const Ended& again) {
-        // 2: it was whole when it was killed, and is not written over.
-        EXPECT_TRUE(again.status == undisturbed.status() || again.status == 2) << again.errors;
-        EXPECT_EQ(undisturbed.now(), undisturbed.whole());
-        if (again.status == 2) return;
-        EXPECT_FALSE(std::filesystem::exists(target.string() + ".partial"));
-      },
-      times);
+  tellKills(killed, command, "seed " + std::to_string(delays.seed()));
 }
 
 }  // namespace ostraka::test

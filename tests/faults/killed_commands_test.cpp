@@ -102,14 +102,20 @@ TEST_F(KilledCommands, AnExportEntersOnceBySayingItAgain) {
 }
 
 TEST_F(KilledCommands, AnExportIsWholeBySayingItAgain) {
-  killedWithTheSameBytes({"catalogue", "export", at("project"), "--output", at("out"), "--forms",
-                          "csv,drawings,glb,json,obj,ods,photographs,pictures,ply"},
-                         at("out"), "bagit.txt", errors());
+  const std::vector<std::string> command{"catalogue",
+                                         "export",
+                                         at("project"),
+                                         "--output",
+                                         at("out"),
+                                         "--forms",
+                                         "csv,drawings,glb,json,obj,ods,photographs,pictures,ply"};
+  killedWithTheSameBytes({command, at("out"), errors()}, "bagit.txt");
 }
 
 TEST_F(KilledCommands, AnArchiveIsWholeBySayingItAgain) {
-  killedWithTheSameBytes({"catalogue", "archive", at("project"), "--output", at("out")}, at("out"),
-                         "bagit.txt", errors());
+  const std::vector<std::string> command{"catalogue", "archive", at("project"), "--output",
+                                         at("out")};
+  killedWithTheSameBytes({command, at("out"), errors()}, "bagit.txt");
 }
 
 TEST_F(KilledCommands, AnArchiveIsRestoredBySayingItAgain) {

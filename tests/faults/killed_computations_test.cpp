@@ -13,30 +13,18 @@ class KilledComputations : public BatchForFaults {
   void SetUp() override { std::filesystem::remove_all(out()); }
   static std::filesystem::path out() { return root() / "out"; }
   using Words = std::vector<std::string>;
-  static Words calibrated() {
-    return {"rig", "calibrate", root() / "batch", "--output", out() / "RIG.json"};
-  }
-  static Words registered() {
-    return {"register", "--front", root() / "scans" / "front", "--back", root() / "scans" / "back",
-            "--output", out()};
-  }
-  static Words drawn(const std::string& sheet) {
-    return {"draw", root() / "batch" / "truth" / "sherd00.ply", "--output", out() / sheet};
-  }
-  static Words printed() { return {"plate", "--output", out() / "plate.pdf"}; }
-  static Words simulated() {
-    return {"rig", "simulate", "--output", out(),       "--sherds", "1",      "--width",
-            "160", "--stops",  "4",        "--threads", "1",        "--seed", "5"};
+  static void killed(const Words& command, const std::string& seal) {
+    const Undisturbed undisturbed(command, out(), errors());
+    killedWithTheSameBytes(undisturbed, seal);
+    killedAtItsWrites(undisturbed, 3);
   }
 };
 
 class KilledProcess : public KilledComputations {
  protected:
-  static std::vector<std::string> command() {
-    return {"process", root() / "batch", "--output", out(), "--threads", "2"};
-  }
   static const Undisturbed& undisturbed() {
-    static const Undisturbed undisturbed(command(), out(), errors());
+    static const Undisturbed undisturbed(
+        {"process", root() / "batch", "--output", out(), "--threads", "2"}, out(), errors());
     return undisturbed;
   }
 };
@@ -52,74 +40,51 @@ TEST_F(KilledProcess, TwoRunsDifferOnlyWhereTheyTellTheTime) {
 }
 
 TEST_F(KilledProcess, ABatchIsProcessedToTheSameBytes) {
-  killedAgainAndAgain(undisturbed(), command(), out(), errors(), 5 * kills());
+  killedAgainAndAgain(undisturbed(), 5 * kills());
 }
 
 TEST_F(KilledProcess, ABatchIsProcessedToTheSameBytesAfterKillsAtWrites) {
-  killedAtItsWritesAgainAndAgain(undisturbed(), command(), out(), "stage.json", errors());
+  killedAtItsWritesAgainAndAgain(undisturbed(), "stage.json");
 }
 
 TEST_F(KilledComputations, ARigIsCalibratedToTheSameBytes) {
-  killedWithTheSameBytes(calibrated(), out(), "RIG.json", errors());
+  killed({"rig", "calibrate", root() / "batch", "--output", out() / "RIG.json"}, "RIG.json");
 }
 
 TEST_F(KilledComputations, ACloudIsComputedToTheSameBytes) {
-  killedWithTheSameBytes(denseTo(out() / "cloud.ply"), out(), "cloud.ply", errors());
+  killed(denseTo(out() / "cloud.ply"), "cloud.ply");
 }
 
 TEST_F(KilledComputations, ScansAreRegisteredToTheSameBytes) {
-  killedWithTheSameBytes(registered(), out(), "report.json", errors());
+  killed({"register", "--front", root() / "scans" / "front", "--back", root() / "scans" / "back",
+          "--output", out()},
+         "report.json");
 }
 
 TEST_F(KilledComputations, ModelsAreDrawnToTheSameBytes) {
   for (const std::string sheet : {"sheet.svg", "sheet.pdf"})
-    killedWithTheSameBytes(drawn(sheet), out(), sheet, errors());
+    killed({"draw", root() / "batch" / "truth" / "sherd00.ply", "--output", out() / sheet}, sheet);
 }
 
 TEST_F(KilledComputations, APlateIsPrintedToTheSameBytes) {
-  killedWithTheSameBytes(printed(), out(), "plate.pdf", errors());
+  killed({"plate", "--output", out() / "plate.pdf"}, "plate.pdf");
 }
 
 TEST_F(KilledComputations, ABatchIsSimulatedToTheSameBytes) {
-  killedWithTheSameBytes(simulated(), out(), "board.json", errors(), 2 * kills());
+  killed({"rig", "simulate", "--output", out(), "--sherds", "1", "--width", "160", "--stops", "4",
+          "--threads", "1", "--seed", "5"},
+         "board.json");
 }
 
 TEST_F(KilledComputations, ASideIsPhotographedToTheSameBytes) {
-  const std::vector<std::string> command{
-      "capture", "--rig",    "virtual", "--side",       "front", "--output",
-      out(),     "--sherds", "1",       "--width",      "160",   "--stops",
-      "4",       "--settle", "0",       "--turn-speed", "0"};
+  const Words command{"capture", "--rig",    "virtual", "--side",       "front", "--output",
+                      out(),     "--sherds", "1",       "--width",      "160",   "--stops",
+                      "4",       "--settle", "0",       "--turn-speed", "0"};
   const Undisturbed undisturbed(command, out(), errors());
   EXPECT_EQ(undisturbed.whole()["front/cam2_pos03.jpg"].size(), 64U)
       << "no photograph or no SHA-256";
-  killedAgainAndAgain(undisturbed, command, out(), errors(), 5 * kills());
-}
-
-class ComputationsKilledAtAWrite : public KilledComputations {};
-
-TEST_F(ComputationsKilledAtAWrite, ARigIsCalibratedToTheSameBytes) {
-  killedAtItsWrites(calibrated(), out(), "RIG.json", errors());
-}
-
-TEST_F(ComputationsKilledAtAWrite, ACloudIsComputedToTheSameBytes) {
-  killedAtItsWrites(denseTo(out() / "cloud.ply"), out(), "cloud.ply", errors());
-}
-
-TEST_F(ComputationsKilledAtAWrite, ScansAreRegisteredToTheSameBytes) {
-  killedAtItsWrites(registered(), out(), "report.json", errors());
-}
-
-TEST_F(ComputationsKilledAtAWrite, ModelsAreDrawnToTheSameBytes) {
-  for (const std::string sheet : {"sheet.svg", "sheet.pdf"})
-    killedAtItsWrites(drawn(sheet), out(), sheet, errors());
-}
-
-TEST_F(ComputationsKilledAtAWrite, APlateIsPrintedToTheSameBytes) {
-  killedAtItsWrites(printed(), out(), "plate.pdf", errors());
-}
-
-TEST_F(ComputationsKilledAtAWrite, ABatchIsSimulatedToTheSameBytes) {
-  killedAtItsWrites(simulated(), out(), "board.json", errors());
+  killedAgainAndAgain(undisturbed, 5 * kills());
+  killedAtItsWritesAgainAndAgain(undisturbed, "manifest.json");
 }
 
 }  // namespace

@@ -11,18 +11,23 @@ inline const std::string tells_the_time = "tells the time";  ///< in place of a 
 /// time, and those that tell the time.
 class Undisturbed {
  public:
-  Undisturbed(const std::vector<std::string>& command, const std::filesystem::path& target,
-              const std::filesystem::path& errors)
-      : target_(target) {
+  Undisturbed(std::vector<std::string> command, std::filesystem::path target,
+              std::filesystem::path errors)
+      : command_(std::move(command)), target_(std::move(target)), errors_(std::move(errors)) {
     for (Digests& found : runs_) {
-      std::filesystem::remove_all(target);
-      const Ended ended = runProgram(command, errors);
+      removeAll();
+      const Ended ended = run();
       status_ = ended.status;
       EXPECT_NE(status_, 2) << ended.errors;
-      found = digests(target);
+      found = digests(target_);
       EXPECT_FALSE(found.empty());
     }
   }
+  const std::vector<std::string>& command() const { return command_; }
+  const std::filesystem::path& target() const { return target_; }
+  const std::filesystem::path& errors() const { return errors_; }
+  void removeAll() const { std::filesystem::remove_all(target_); }
+  Ended run() const { return runProgram(command_, errors_); }
   int status() const { return status_; }
   Digests whole() const { return lasting(runs_[0]); }
   Digests now() const { return lasting(digests(target_)); }
@@ -46,22 +51,21 @@ class Undisturbed {
     }
     return kept;
   }
-  std::filesystem::path target_;
+  std::vector<std::string> command_;
+  std::filesystem::path target_, errors_;
   Digests runs_[2];
   int status_ = -1;
 };
 
 /// Killed and given again a command writes the same bytes. Whatever has its last name, seal, after
 /// a kill is whole with all that belongs to it: no half result passes for one.
-inline void killedWithTheSameBytes(const std::vector<std::string>& command,
-                                   const std::filesystem::path& target, const std::string& seal,
-                                   const std::filesystem::path& errors, int times = kills()) {
-  const Undisturbed undisturbed(command, target, errors);
+inline void killedWithTheSameBytes(const Undisturbed& undisturbed, const std::string& seal,
+                                   int times = kills()) {
   ASSERT_TRUE(undisturbed.whole().contains(seal)) << seal;
   killRepeatedly(
-      command, errors, [&] { std::filesystem::remove_all(target); },
+      undisturbed.command(), undisturbed.errors(), [&] { undisturbed.removeAll(); },
       [&] {
-        if (std::filesystem::exists(target / seal)) {
+        if (std::filesystem::exists(undisturbed.target() / seal)) {
           EXPECT_EQ(undisturbed.now(), undisturbed.whole());
         }
       },
@@ -70,23 +74,21 @@ inline void killedWithTheSameBytes(const std::vector<std::string>& command,
         EXPECT_TRUE(again.status == undisturbed.status() || again.status == 2) << again.errors;
         EXPECT_EQ(undisturbed.now(), undisturbed.whole());
         if (again.status == 2) return;
-        EXPECT_FALSE(std::filesystem::exists(target.string() + ".partial"));
+        EXPECT_FALSE(std::filesystem::exists(undisturbed.target().string() + ".partial"));
       },
       times);
 }
 
 /// Of a command that goes on from what is whole: killed again before it has ended, until there is
 /// nothing left to do, so that a kill costs little more than what it undoes.
-inline void killedAgainAndAgain(const Undisturbed& undisturbed,
-                                const std::vector<std::string>& command,
-                                const std::filesystem::path& target,
-                                const std::filesystem::path& errors, int times = kills()) {
+inline void killedAgainAndAgain(const Undisturbed& undisturbed, int times = kills()) {
   Delays delays(8);
-  std::filesystem::remove_all(target);
+  undisturbed.removeAll();
   int killed = 0, ends = 0;
   while ((killed < times || ends == 0) && !testing::Test::HasFailure()) {
-    const Ended ended =
-        killed < times ? runAndKill(delays, command, errors) : runProgram(command, errors);
+    const Ended ended = killed < times
+                            ? runAndKill(delays, undisturbed.command(), undisturbed.errors())
+                            : undisturbed.run();
     SCOPED_TRACE("seed " + std::to_string(delays.seed()) + ", kill " + std::to_string(killed));
     if (ended.status < 0) {
       ++killed;
@@ -96,9 +98,9 @@ inline void killedAgainAndAgain(const Undisturbed& undisturbed,
     ++ends;
     EXPECT_EQ(ended.status, undisturbed.status()) << ended.errors;
     EXPECT_EQ(undisturbed.now(), undisturbed.whole());
-    if (killed < times) std::filesystem::remove_all(target);
+    if (killed < times) undisturbed.removeAll();
   }
-  tellKills(killed, command, "seed " + std::to_string(delays.seed()));
+  tellKills(killed, undisturbed.command(), "seed " + std::to_string(delays.seed()));
 }
 
 }  // namespace ostraka::test

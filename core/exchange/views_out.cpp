@@ -105,7 +105,7 @@ Result<std::int64_t> bytesAsPng(std::vector<Pictured> pictures) {
 }  // namespace
 
 Result<ViewsSize> sizeOfViews(const fs::path& project, const std::string& number) {
-  constexpr int kTexts = 4;  // cameras, images, points3D, photographs
+  constexpr int kTextFiles = 4;  // cameras, images, points3D, photographs
   // Of COLMAP's model: half of the views see each of 3000 to 6000 points.
   constexpr double kPoints = 4500, kPointBytes = 60, kBytesSeen = 0.5 * 48;
   const fs::path batch = project / "batches" / number, out = project / "results" / number;
@@ -123,7 +123,7 @@ Result<ViewsSize> sizeOfViews(const fs::path& project, const std::string& number
     }
     if (pictures.empty()) continue;
     const auto views = static_cast<double>(pictures.size());
-    size.files += 3 * static_cast<int>(pictures.size()) + kTexts;
+    size.files += 3 * static_cast<int>(pictures.size()) + kTextFiles;
     const Result<std::int64_t> bytes = bytesAsPng(std::move(pictures));
     if (!bytes) return bytes.error();
     size.bytes += *bytes + static_cast<std::int64_t>(kPoints * (kPointBytes + kBytesSeen * views));

@@ -39,7 +39,7 @@ OSTRAKA_CLONED void addLook(const Channels value, const Channels light, const Ch
     const float one = chiSquare(a - before.a[x], b - before.b[x], c - before.c[x], near_g, near_c);
     const float two = chiSquare(a - anchor.a[x], b - anchor.b[x], c - anchor.c[x], far_g, far_c);
     const float like = expOf(-0.5F * (one + two));
-    const float w = (one > kFar) | (two > kFar) | (value.a[x] == unseen) ? 0.F : like;
+    const float w = ((one > kFar) | (two > kFar) | (value.a[x] == unseen)) ? 0.F : like;
     sums.a[x] += w * a;
     sums.b[x] += w * b;
     sums.c[x] += w * c;

@@ -104,7 +104,7 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
         (0.95F * expOf(-0.5F * chi_c) + 0.05F / 9 * expOf(-0.5F * chi_c / 9)) / (kTwoPi * var_c);
     const float lit = expOf(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
     const float bounce = expOf(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
-    const float shadow = (g < 0) & (g > -3) ? 1 / 3.F : 0.F;
+    const float shadow = ((g < 0) & (g > -3)) ? 1 / 3.F : 0.F;
     // In a shadow the sherds' own light counts: beside them some tenth of the lamps' light comes
     // off their clay, with its colour. On what is left of exp(g) that tints by up to
     // 0.12 (exp(-g) - 1).

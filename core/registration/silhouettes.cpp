@@ -187,7 +187,7 @@ SilhouetteConstraint::SilhouetteConstraint(const Strip& front, const Strip& back
                                            std::span<const SilhouetteView> back_views,
                                            const Eigen::Isometry3d& front_from_back,
                                            const SilhouetteOptions& options, int threads)
-    : front_(front), back_(back), options_(options), threads_(threads) {
+    : options_(options), threads_(threads) {
   views_.resize(front_views.size() + back_views.size());
   const Eigen::Isometry3d same = Eigen::Isometry3d::Identity();
   parallelFor(views_.size(), threads, [&](std::size_t i) {

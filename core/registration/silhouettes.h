@@ -44,7 +44,6 @@ class SilhouetteConstraint {
 
  private:
   struct View;
-  const Strip &front_, &back_;
   SilhouetteOptions options_;
   int threads_;
   std::vector<View> views_;

@@ -75,7 +75,7 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
     const float own_weight = own_incidence * own_incidence * std::max(0.02F, 1.0F - map.cost[k]);
     const float own_tangent = tangentOf(own_incidence);
     float tangents = own_weight * own_tangent, squares = tangents * own_tangent, products = 0;
-    float weights = own_weight, offsets = 0, confidence = own_weight * (1.0F - map.cost[k]);
+    float weights = own_weight, offsets = 0;
     Eigen::Vector3f normals = own_weight * n;
     int agreeing = 1, against = 0;
     bool best = own_incidence > kMinIncidence;
@@ -95,7 +95,6 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
       squares += o.weight * tangent * tangent;
       products += o.weight * tangent * o.offset_mm;
       normals += o.weight * o.normal;
-      confidence += o.weight;
     }
     if (agreeing < options.min_agreeing_views || against >= agreeing) continue;
     ++agreement.confirmed;

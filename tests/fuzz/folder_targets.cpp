@@ -55,10 +55,11 @@ void archive(std::string_view bytes) {
 void exportFolder(std::string_view bytes) {
   std::vector<ForeignFile> files = foreignFiles(bytes);
   const Sandbox sandbox(files);
-  catalogue::ProjectRecord record;
-  record.code = "ARM";
-  auto project = catalogue::Project::create(sandbox.target(), record);
-  must(project.has_value(), "a project is made");
+  fs::create_directory(sandbox.target());
+  must(writeFileAtomically(sandbox.target() / "catalogue.sqlite", emptyCatalogue()).has_value(),
+       "a catalogue is written");
+  auto project = catalogue::Project::open(sandbox.target());
+  must(project.has_value(), "a project is opened");
   const std::set<std::string> before = filesBelow(sandbox.target());
   QuietProgress quiet;
   const auto entered =

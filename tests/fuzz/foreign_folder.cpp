@@ -33,26 +33,6 @@ void write(const fs::path& file, const std::string& content) {
   if (!fs::exists(file, failed)) (void)writeFileAtomically(file, content);
 }
 
-std::string emptyCatalogue() {
-  static const std::string bytes = [] {
-    std::string name = (fs::temp_directory_path() / "ostraka-fuzz-XXXXXX").string();
-    must(::mkdtemp(name.data()) != nullptr, "a scratch folder");
-    catalogue::ProjectRecord record;
-    record.code = "ARM";
-    std::string made;
-    {
-      const auto project = catalogue::Project::create(fs::path(name) / "project", record);
-      must(project.has_value(), "a project");
-      const fs::path copy = fs::path(name) / "copy.sqlite";
-      must(project->catalogue().backup(copy).has_value(), "a copy of the catalogue");
-      made = *readFile(copy);
-    }
-    fs::remove_all(name);
-    return made;
-  }();
-  return bytes;
-}
-
 std::string manifestOf(const std::map<std::string, std::string>& contents, bool of_payload) {
   std::string text;
   for (const auto& [path, content] : contents)
@@ -75,6 +55,26 @@ std::string withHashes(const std::string& manifest,
 }
 
 }  // namespace
+
+std::string emptyCatalogue() {
+  static const std::string bytes = [] {
+    std::string name = (fs::temp_directory_path() / "ostraka-fuzz-XXXXXX").string();
+    must(::mkdtemp(name.data()) != nullptr, "a scratch folder");
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    std::string made;
+    {
+      const auto project = catalogue::Project::create(fs::path(name) / "project", record);
+      must(project.has_value(), "a project");
+      const fs::path copy = fs::path(name) / "copy.sqlite";
+      must(project->catalogue().backup(copy).has_value(), "a copy of the catalogue");
+      made = *readFile(copy);
+    }
+    fs::remove_all(name);
+    return made;
+  }();
+  return bytes;
+}
 
 std::vector<ForeignFile> foreignFiles(std::string_view text) {
   std::vector<ForeignFile> files;

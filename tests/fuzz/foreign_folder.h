@@ -6,6 +6,9 @@
 
 namespace ostraka::fuzz {
 
+/// The catalogue of a new project, made once: making one takes longer than what is fuzzed.
+std::string emptyCatalogue();
+
 /// A folder from a stranger as one text: each file begins with a line '=== PATH', its content
 /// follows. '=== PATH -> TARGET' is a symbolic link. A line of a manifest that begins with '@  '
 /// stands for the true hash of the file that it names; where a manifest is missing, the true one is

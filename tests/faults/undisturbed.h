@@ -31,11 +31,11 @@ class Undisturbed {
   int status() const { return status_; }
   Digests whole() const { return lasting(runs_[0]); }
   Digests now() const { return lasting(digests(target_)); }
-  /// Each file that has its last name is whole.
+  /// Each file that has its last name is whole; until then it is hidden.
   void expectNoHalfFile() const {
     const Digests whole = this->whole();
     for (const auto& [name, digest] : now()) {
-      if (name.ends_with(".partial")) continue;
+      if (std::filesystem::path(name).filename().string().starts_with('.')) continue;
       const auto known = whole.find(name);
       EXPECT_TRUE(known != whole.end() && known->second == digest) << name;
     }

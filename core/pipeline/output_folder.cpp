@@ -79,15 +79,19 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
   return {};
 }
 
-// As a run leaves it that ended before it could name its scans, or new, or empty.
+// New, empty, or as a run leaves it that was killed before it could name its scans: with the lock
+// and files that have no last name yet, if it came that far.
 bool isUntouched(const fs::path& output) {
   std::error_code failed;
-  if (!fs::exists(output, failed) || fs::is_empty(output, failed)) return true;
+  if (!fs::exists(output, failed)) return true;
   for (const fs::directory_entry& entry : fs::directory_iterator(output, failed))
-    if (entry.path().filename() != "work") return false;
-  return fs::exists(output / "work" / "lock", failed) &&
-         !fs::exists(output / "work" / kBatchFile, failed) &&
-         !fs::exists(output / "work" / kScansFile, failed);
+    if (entry.path().filename() != "work" || !entry.is_directory(failed)) return false;
+  if (failed || !fs::exists(output / "work", failed)) return !failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output / "work", failed)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "lock" && !name.starts_with('.')) return false;
+  }
+  return !failed;
 }
 
 bool names(const fs::path& file, const std::string& scans_hash) {

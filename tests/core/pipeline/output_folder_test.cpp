@@ -1,0 +1,70 @@
+#include "pipeline/output_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "base/files.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class OutputFolder : public testing::Test {
+ protected:
+  OutputFolder() {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_output_XXXXXX").string();
+    folder = ::mkdtemp(pattern.data());
+  }
+  ~OutputFolder() override { fs::remove_all(folder); }
+
+  // A name that ends with '/' is a folder.
+  fs::path outputWith(const std::vector<std::string>& names) {
+    fs::remove_all(folder / "out");
+    fs::create_directories(folder / "out");
+    for (const std::string& name : names) {
+      if (name.ends_with('/'))
+        fs::create_directories(folder / "out" / name);
+      else
+        EXPECT_TRUE(writeFileAtomically(folder / "out" / name, "x"));
+    }
+    return folder / "out";
+  }
+
+  fs::path folder;
+};
+
+TEST_F(OutputFolder, OfARegistrationKilledBeforeItNamedItsScansIsTakenByTheNext) {
+  const std::vector<std::vector<std::string>> left = {
+      {},
+      {"work/"},
+      {"work/", "work/lock"},
+      {"work/", "work/lock", "work/.scans.json.0123456789ab.partial"}};
+  for (const std::vector<std::string>& names : left) {
+    const auto held = claimOutput(outputWith(names), "scans");
+    ASSERT_TRUE(held.has_value()) << names.size() << ": " << held.error().sentence();
+    EXPECT_TRUE(fs::exists(folder / "out/work/scans.json"));
+  }
+}
+
+TEST_F(OutputFolder, OfSomethingElseIsRefusedByARegistration) {
+  const std::vector<std::vector<std::string>> others = {
+      {"notes.txt"},
+      {"work"},
+      {"work/", "notes.txt"},
+      {"work/", "work/notes.txt"},
+      {"work/", "work/lock", "work/batch.json"},
+      {"work/", "work/lock", "work/masks_front/"}};
+  for (const std::vector<std::string>& names : others) {
+    const auto held = claimOutput(outputWith(names), "scans");
+    ASSERT_FALSE(held.has_value()) << names.back();
+    EXPECT_THAT(held.error().sentence(), HasSubstr("something else"));
+    EXPECT_FALSE(fs::exists(folder / "out/work/scans.json"));
+  }
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

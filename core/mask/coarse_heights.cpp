@@ -26,19 +26,28 @@ void fillHoles(cv::Mat1b& raised) {
 
 }  // namespace
 
-double leastRaised(const PointCloud& cloud, double thickness) {
-  std::vector<float> off;
+std::vector<float> heightsAbove(const PointCloud& cloud, const rig::SheetBend& bend) {
+  std::vector<float> heights;
+  heights.reserve(cloud.size());
   for (const Eigen::Vector3f& p : cloud.points)
-    if (std::abs(p.z()) < thickness) off.push_back(std::abs(p.z()));
+    heights.push_back(p.z() - static_cast<float>(bend.at(p.x(), p.y())));
+  return heights;
+}
+
+double leastRaised(std::span<const float> heights, double thickness) {
+  std::vector<float> off;
+  for (const float height : heights)
+    if (std::abs(height) < thickness) off.push_back(std::abs(height));
   return 4 * 1.4826 * medianOf(off);
 }
 
-cv::Mat1b shownBy(const PointCloud& cloud, const rig::PosedImage& image, double least_raised) {
+cv::Mat1b shownBy(const PointCloud& cloud, std::span<const float> heights,
+                  const rig::PosedImage& image, double least_raised, Gaps gaps) {
   const cv::Size size(image.intrinsics.width, image.intrinsics.height);
   cv::Mat1f depth(size, 1e9F);
   cv::Mat1b shown(size, uchar{kNothingShown});
-  for (const Eigen::Vector3f& point : cloud.points) {
-    const Eigen::Vector3d q = image.camera_from_plate * point.cast<double>();
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d q = image.camera_from_plate * cloud.points[i].cast<double>();
     if (q.z() <= 0) continue;
     const Eigen::Vector2d pixel = image.intrinsics.project(q);
     if (!(std::abs(pixel.x()) < 1e6 && std::abs(pixel.y()) < 1e6)) continue;
@@ -48,12 +57,19 @@ cv::Mat1b shownBy(const PointCloud& cloud, const rig::PosedImage& image, double 
       for (int x = std::max(0, x0 - 1); x <= std::min(size.width - 1, x0 + 1); ++x)
         if (z < depth(y, x)) {
           depth(y, x) = z;
-          shown(y, x) = point.z() > least_raised ? kRaisedShown : kGroundShown;
+          shown(y, x) = heights[i] > least_raised ? kRaisedShown : kGroundShown;
         }
   }
-  cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown, covered;
-  // Single points are noise; gaps of a few pixels are not seen through.
-  cv::morphologyEx(raised, raised, cv::MORPH_OPEN, disc(2));
+  cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown;
+  cv::morphologyEx(raised, raised, cv::MORPH_OPEN, disc(2));  // single points are noise
+  if (gaps == Gaps::Left) {
+    // Windows of stereo reach over an outline, those of two sherds over the gap between them.
+    cv::erode(raised, raised, disc(kEdge));
+    shown.setTo(kNothingShown, (shown == kRaisedShown) & ~raised);
+    return shown;
+  }
+  // Gaps of a few pixels are not seen through.
+  cv::Mat1b covered;
   cv::morphologyEx(raised, raised, cv::MORPH_CLOSE, disc(kEdge));
   cv::morphologyEx(ground, ground, cv::MORPH_CLOSE, disc(kEdge));
   fillHoles(raised);

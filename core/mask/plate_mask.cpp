@@ -88,6 +88,9 @@ class PlateMasker {
   }
 
  private:
+  // A ground of which nothing but a reconstruction tells.
+  bool unprinted() const { return plate_.sheet && plate_.markers.empty(); }
+
   static Error nothingFound() {
     return {ErrorCode::NotEnough,
             "No sherd was found on the plate; check that the photographs show sherds that differ "
@@ -187,12 +190,16 @@ class PlateMasker {
         photographs.push_back(&photographs_[i]);
       }
       std::vector<cv::Mat1f> heights;
-      if (options_.shown.empty())
+      if (!unprinted())
         heights =
             weighHeights(images, photographs, plate_, options_.height_mm, options_.bend.most());
       else
-        for (const std::size_t i : stops[s])
-          heights.push_back(heightsShown(options_.shown[i], photographs_[i].size()));
+        for (const cv::Mat* photograph : photographs)
+          heights.emplace_back(photograph->rows / 2, photograph->cols / 2, 0.F);
+      for (std::size_t k = 0; k < images.size() && !options_.shown.empty(); ++k) {
+        const cv::Mat1f shown = heightsShown(options_.shown[stops[s][k]], photographs[k]->size());
+        shown.copyTo(heights[k], shown != 0);
+      }
       for (std::size_t k = 0; k < images.size(); ++k) addHeights(views_[stops[s][k]], heights[k]);
     });
   }
@@ -282,7 +289,7 @@ class PlateMasker {
                       static_cast<int>(std::ceil(height / space_.pitch))};
       voxels_ = carveHull(space_, views, hull_, stop);
       groups = dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
-      if (!options_.shown.empty()) dropGroupsAtSides(space_, voxels_);
+      if (unprinted()) dropGroupsAtSides(space_, voxels_);
       if (!reachesTop()) break;
     }
     return groups > 0;
@@ -306,7 +313,7 @@ class PlateMasker {
     hull_.carving_views = std::max(2.0, kCarvingShare * static_cast<double>(views.size()));
     voxels_ = carveHull(space_, views, hull_, stop);
     dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
-    if (!options_.shown.empty()) dropGroupsAtSides(space_, voxels_);
+    if (unprinted()) dropGroupsAtSides(space_, voxels_);
     masks_known_ = true;
   }
 

@@ -22,8 +22,8 @@ struct PlateMaskOptions {
   double min_sherd_area_mm2 =
       25;               ///< smaller things are crumbs: a sherd of 5 x 5 mm has no contour
   rig::SheetBend bend;  ///< of a printed sheet (Plate::sheet)
-  /// Per photograph, of any size (Shown): what a coarse reconstruction of all that is there shows.
-  /// Needed where nothing is printed on the sheet: its picture is then what lies bare. Else empty.
+  /// Per photograph, of any size (Shown), or empty: what a coarse reconstruction of all that is
+  /// there shows. Needed where the plate has no markers: its picture is then what lies bare.
   std::vector<cv::Mat1b> shown;
   Result<void> check() const;
 };

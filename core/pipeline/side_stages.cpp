@@ -150,6 +150,13 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   options.threads = run.options.threads;
   options.bend = bend;
   const TurningPlate turning = turningPlate(*run.batch.plate, run.batch.way, images);
+  if (turning.plate.sheet) {
+    Result<std::vector<cv::Mat1b>> shown =
+        shownOn({*turning.plate.sheet, bend, true}, images, *photographs, run.options.threads,
+                run.progress, run.stop);
+    if (!shown && shown.error().code != ErrorCode::NotEnough) return shown.error();
+    if (shown) options.shown = std::move(*shown);
+  }
   return mask::maskByPlate(turning.images, *photographs, turning.plate,
                            emptyPlates(run.batch, images), options, run.progress, run.stop);
 }

@@ -1,5 +1,7 @@
 #include "pipeline/view_masks.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include "base/parallel.h"
 #include "batch/photograph.h"
 #include "mask/coarse_heights.h"
@@ -17,36 +19,70 @@ constexpr double kCoarseMegapixels = 0.25;  // enough to tell a sherd of 5 mm he
 // it is blurred, or too plain, and stereo finds heights there that are none.
 constexpr double kSoughtBelow = 0.2, kSoughtAbove = 2, kGroundThickness = 0.05;
 
-// What stands on the ground, photograph by photograph.
-Result<std::vector<cv::Mat1b>> shownOn(const Eigen::AlignedBox2d& ground,
+constexpr double kTallest_mm = 80;      // that stands on a printed sheet, as the hull's space
+constexpr std::size_t kMostViews = 12;  // of a printed sheet: they see all that is to be confirmed
+
+rig::PosedImage coarsely(rig::PosedImage image) {
+  image.intrinsics = rig::reducedTo(image.intrinsics, kCoarseMegapixels);
+  return image;
+}
+
+// Where a photograph shows the box, 255.
+cv::Mat1b sightOf(const Eigen::AlignedBox3d& box, const rig::PosedImage& image) {
+  cv::Mat1b sight(image.intrinsics.height, image.intrinsics.width, uchar{0});
+  std::vector<cv::Point2f> corners;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d q =
+        image.camera_from_plate * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
+    if (q.z() <= 0) return sight = 255;
+    const Eigen::Vector2d pixel = image.intrinsics.project(q).cwiseMax(-1e4).cwiseMin(1e4);
+    corners.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
+  }
+  std::vector<cv::Point2f> hull;
+  cv::convexHull(corners, hull);
+  const std::vector<cv::Point> outline(hull.begin(), hull.end());
+  cv::fillConvexPoly(sight, outline, cv::Scalar(255));
+  return sight;
+}
+
+}  // namespace
+
+Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
                                        const std::vector<rig::PosedImage>& images,
                                        const std::vector<cv::Mat>& photographs, int threads,
                                        Progress& progress, const std::stop_token& stop) {
-  std::vector<stereo::View> views(images.size());
-  parallelFor(images.size(), threads, [&](std::size_t i) {
-    views[i].camera = images[i];
-    views[i].camera.intrinsics = rig::reducedTo(images[i].intrinsics, kCoarseMegapixels);
-    views[i].photograph = batch::reducedTo(photographs[i], views[i].camera.intrinsics.width,
-                                           views[i].camera.intrinsics.height);
-  });
   const double reach = rig::commonSight(images).radius;
   Eigen::AlignedBox3d bounds;
-  bounds.min() << ground.min(), -kSoughtBelow * reach;
-  bounds.max() << ground.max(), kSoughtAbove * reach;
+  bounds.min() << ground.extent.min(), -kSoughtBelow * reach;
+  bounds.max() << ground.extent.max(), kSoughtAbove * reach;
+  if (ground.printed) {
+    bounds.min().z() = -kGroundThickness * reach;
+    bounds.max().z() = kTallest_mm;
+  }
+  const std::size_t step = ground.printed ? (images.size() + kMostViews - 1) / kMostViews : 1;
+  std::vector<stereo::View> views((images.size() + step - 1) / step);
+  parallelFor(views.size(), threads, [&](std::size_t k) {
+    const std::size_t i = k * step;
+    stereo::View& view = views[k];
+    view.camera = coarsely(images[i]);
+    view.photograph = batch::reducedTo(photographs[i], view.camera.intrinsics.width,
+                                       view.camera.intrinsics.height);
+    if (ground.printed) view.mask = sightOf(bounds, view.camera);
+  });
   stereo::DenseOptions options;
   options.threads = threads;
   options.bounds = bounds;
   const Result<stereo::Reconstruction> coarse = stereo::reconstruct(views, options, progress, stop);
   if (!coarse) return coarse.error();
-  const double least = mask::leastRaised(coarse->cloud, kGroundThickness * reach);
+  const std::vector<float> heights = mask::heightsAbove(coarse->cloud, ground.bend);
+  const double least = mask::leastRaised(heights, kGroundThickness * reach);
+  const mask::Gaps gaps = ground.printed ? mask::Gaps::Left : mask::Gaps::Filled;
   std::vector<cv::Mat1b> shown(images.size());
   parallelFor(images.size(), threads, [&](std::size_t i) {
-    shown[i] = mask::shownBy(coarse->cloud, views[i].camera, least);
+    shown[i] = mask::shownBy(coarse->cloud, heights, coarsely(images[i]), least, gaps);
   });
   return shown;
 }
-
-}  // namespace
 
 Result<mask::MaskResult> masksFromViews(const std::vector<rig::PosedImage>& images,
                                         const std::vector<cv::Mat>& photographs,
@@ -59,7 +95,7 @@ Result<mask::MaskResult> masksFromViews(const std::vector<rig::PosedImage>& imag
     return mask::maskByHull(images, photographs, options, progress, stop);
   }
   Result<std::vector<cv::Mat1b>> shown =
-      shownOn(*ground, images, photographs, threads, progress, stop);
+      shownOn({*ground, {}, false}, images, photographs, threads, progress, stop);
   if (!shown) return shown.error();
   batch::Plate plane;
   plane.sheet = ground;

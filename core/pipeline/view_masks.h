@@ -9,8 +9,24 @@
 #include "base/result.h"
 #include "mask/masks.h"
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 
 namespace ostraka::pipeline {
+
+/// What sherds lie on: z = 0 but for its bend.
+struct Ground {
+  Eigen::AlignedBox2d extent;  ///< mm
+  rig::SheetBend bend;
+  bool printed = false;  ///< its print tells, too, what lies bare: a reconstruction is asked only
+                         ///< for what it surely shows
+};
+
+/// What stands on the ground, photograph by photograph, as a coarse reconstruction of all that lies
+/// there shows it without masks (mask::Shown). Errors: as stereo::reconstruct.
+Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
+                                       const std::vector<rig::PosedImage>& images,
+                                       const std::vector<cv::Mat>& photographs, int threads,
+                                       Progress& progress, const std::stop_token& stop);
 
 /// Masks of one side's photographs by hand where no marker tells what sherds lie on. With a ground
 /// (Poses::grounds) a coarse reconstruction of all that the photographs show tells what stands on

@@ -35,14 +35,17 @@ PointCloud block() {
   return cloud;
 }
 
+cv::Mat1b shownFromAbove(const PointCloud& cloud, Gaps gaps = Gaps::Filled) {
+  return shownBy(cloud, heightsAbove(cloud, {}), fromAbove(), 2, gaps);
+}
+
 TEST(CoarseHeights, WhatIsRaisedLiesFourDeviationsAboveTheGround) {
-  EXPECT_NEAR(leastRaised(block(), 5), 2, 0.1);
+  EXPECT_NEAR(leastRaised(heightsAbove(block(), {}), 5), 2, 0.1);
   EXPECT_EQ(leastRaised({}, 5), 0);
 }
 
 TEST(CoarseHeights, ShowTheBlockWholeAndTheGroundAroundItAndNothingBeyond) {
-  const rig::PosedImage image = fromAbove();
-  const cv::Mat1b shown = shownBy(block(), image, 2);
+  const cv::Mat1b shown = shownFromAbove(block());
   ASSERT_EQ(shown.size(), cv::Size(400, 300));
   // 20 mm nearer to the camera the block is larger by 500 / 480.
   const double expected = 81.0 * 61 * (500.0 / 480) * (500.0 / 480);
@@ -52,8 +55,27 @@ TEST(CoarseHeights, ShowTheBlockWholeAndTheGroundAroundItAndNothingBeyond) {
   EXPECT_EQ(shown(150, 350), kNothingShown);
 }
 
+TEST(CoarseHeights, ShowNothingWhereNoPointLiesIfGapsAreLeft) {
+  const cv::Mat1b shown = shownFromAbove(block(), Gaps::Left);
+  EXPECT_EQ(shown(150, 200), kNothingShown);
+  EXPECT_EQ(shown(150, 200 + 36), kRaisedShown);
+  EXPECT_EQ(shown(150, 260), kGroundShown);
+}
+
+TEST(CoarseHeights, LieAboveABentSheet) {
+  rig::SheetBend bend;
+  bend.reach_mm = 100;
+  bend.coefficients_mm[0] = 3;
+  PointCloud cloud;
+  cloud.points = {{50, 20, static_cast<float>(bend.at(50, 20))}, {0, 0, 7}};
+  const std::vector<float> heights = heightsAbove(cloud, bend);
+  EXPECT_NE(bend.at(50, 20), 0);
+  EXPECT_NEAR(heights[0], 0, 1e-5);
+  EXPECT_NEAR(heights[1], 7 - bend.at(0, 0), 1e-5);
+}
+
 TEST(CoarseHeights, SayNothingAlongTheEdgeAndTakeItForCovered) {
-  const cv::Mat1b shown = shownBy(block(), fromAbove(), 2);
+  const cv::Mat1b shown = shownFromAbove(block());
   const cv::Mat1f odds = heightsShown(shown, {800, 600});
   ASSERT_EQ(odds.size(), cv::Size(400, 300));
   EXPECT_GT(odds(150, 200), 3);
@@ -69,7 +91,7 @@ TEST(CoarseHeights, SayNothingAlongTheEdgeAndTakeItForCovered) {
 TEST(CoarseHeights, IgnoreSinglePointsInTheAir) {
   PointCloud cloud = block();
   cloud.points.emplace_back(70.F, 60.F, 30.F);
-  EXPECT_EQ(cv::countNonZero(shownBy(cloud, fromAbove(), 2) != shownBy(block(), fromAbove(), 2)), 0)
+  EXPECT_EQ(cv::countNonZero(shownFromAbove(cloud) != shownFromAbove(block())), 0)
       << "and the ground below it is closed again";
 }
 

@@ -28,8 +28,8 @@ constexpr float kDark = -0.9F;
 constexpr float kDeepest = -2.2F;    // log brightness: a tenth of the light is left in every shadow
 constexpr float kShadowTint = 0.5F;  // light of the sky or off a sherd, per 1 of darkening
 constexpr int kShadeWindow = 5;      // of half the cells: 3 mm
-// Of a shadow's border, at least, is a bright sheet's, too: 0.3 to 0.9 by all lamps tried; of even
-// clay's, less than 0.1.
+// The least share of a shadow's border along which the photographs agree on bright sheet: 0.3 to 1
+// by all lamps tried, less than 0.1 around even clay.
 constexpr double kOpenBorder = 0.15;
 constexpr short kNoRest = 32767;
 

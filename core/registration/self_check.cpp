@@ -75,7 +75,7 @@ double rimLogLikelihood(double rim_rms_mm, double noise_mm, int pairs) {
   constexpr double kSpread = 0.30;  // of the RMS' logarithm from sherd to sherd
   const double above = std::max(0.0, std::log(std::max(rim_rms_mm, 1e-3) / same) / kSpread);
   const double below = std::min(0.0, std::log(std::max(rim_rms_mm, 1e-3) / other) / kSpread);
-  // Few pairs are few constraints; 200 stand for a rim of some 30 independent places.
+  // Few pairs say little; 200 stand for a rim of some 30 independent places.
   return std::clamp(0.5 * (below * below - above * above) * std::min(1.0, pairs / 200.0), -12.0,
                     8.0);
 }

@@ -95,8 +95,8 @@ void printConstraint(const char* name, const reg::Evidence& e, double radius) {
       x[2] * radius, s[3], s[4], s[5], s[0] * radius, s[1] * radius, s[2] * radius);
 }
 
-void printConstraintes(const Isometry3d& truth, const reg::Constraints& w, const reg::Strip& front,
-                       const reg::Strip& back) {
+void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const reg::Strip& front,
+                      const reg::Strip& back) {
   const Vector3d pivot = 0.5 * (front.centre + truth * back.centre);
   const double radius = 0.5 * (front.radius_mm + back.radius_mm);
   const double spacing = std::max(front.spacing_mm, back.spacing_mm);
@@ -209,7 +209,7 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
         found->uncertainty_mm, rms / found->uncertainty_mm, shift.x(), shift.y(), shift.z(),
         tilt.x(), tilt.y(), tilt.z(), found->rim_rms_mm, found->rim_overlap, found->misfit_mm,
         found->reason.c_str());
-    if (explain) printConstraintes(t, constraints, *front_strip, *back_strip);
+    if (explain) printConstraints(t, constraints, *front_strip, *back_strip);
     std::fflush(stdout);
     ratios.error.push_back(rms);
     ratios.over_stated.push_back(rms / found->uncertainty_mm);

@@ -22,27 +22,10 @@ TEST(Measures, ATurnedBoxHasItsSidesAreaVolumeAndCentre) {
   EXPECT_LT((m.centroid - Eigen::Vector3d(40, -20, 7)).norm(), 1e-4);
 }
 
-TEST(Measures, ThicknessIsThatOfTheWallNotOfTheBreaks) {
-  // A plate on a grid: many small faces; 24 x 18 x 4 mm.
-  Grid grid;
-  grid.cell_mm = 0.5f;
-  grid.size = {60, 48, 20};
-  const Eigen::Vector3f centre(14.6f, 11.7f, 4.6f), size(24, 18, 4);
-  for (int z = 0; z < 20; ++z)
-    for (int y = 0; y < 48; ++y)
-      for (int x = 0; x < 60; ++x) {
-        const Eigen::Vector3f q = (grid.node(x, y, z) - centre).cwiseAbs() - 0.5f * size;
-        grid.values.push_back(q.maxCoeff());
-      }
-  const Measures m = measure(contour(grid));
-  // The grid chamfers the edges a little.
-  EXPECT_NEAR(m.thickness_min_mm, 4, 0.06);
-  EXPECT_NEAR(m.thickness_mean_mm, 4, 0.02);
-  EXPECT_NEAR(m.thickness_max_mm, 4, 0.02);
-}
-
-// A plate of 24 x 18 x 4 mm with a hole of this radius drilled through it, and a hollow beside it.
-TriangleMesh drilledPlate(float radius) {
+// A plate of 24 x 18 x 4 mm on a grid: many small faces. taken: where it is positive, nothing is
+// left.
+template <class Taken>
+TriangleMesh plateWithout(const Taken& taken) {
   Grid grid;
   grid.cell_mm = 0.5f;
   grid.size = {60, 48, 20};
@@ -52,10 +35,25 @@ TriangleMesh drilledPlate(float radius) {
       for (int x = 0; x < 60; ++x) {
         const Eigen::Vector3f p = grid.node(x, y, z) - centre;
         const Eigen::Vector3f q = p.cwiseAbs() - 0.5f * size;
-        const float hollow = 2 - (p - Eigen::Vector3f(-7, 0, 2)).norm();
-        grid.values.push_back(std::max({q.maxCoeff(), radius - p.head<2>().norm(), hollow}));
+        grid.values.push_back(std::max(q.maxCoeff(), taken(p)));
       }
   return contour(grid);
+}
+
+TEST(Measures, ThicknessIsThatOfTheWallNotOfTheBreaks) {
+  const Measures m = measure(plateWithout([](const Eigen::Vector3f&) { return -1.F; }));
+  // The grid chamfers the edges a little.
+  EXPECT_NEAR(m.thickness_min_mm, 4, 0.06);
+  EXPECT_NEAR(m.thickness_mean_mm, 4, 0.02);
+  EXPECT_NEAR(m.thickness_max_mm, 4, 0.02);
+}
+
+// With a hole of this radius drilled through it, and a hollow beside it.
+TriangleMesh drilledPlate(float radius) {
+  return plateWithout([radius](const Eigen::Vector3f& p) {
+    const float hollow = 2 - (p - Eigen::Vector3f(-7, 0, 2)).norm();
+    return std::max(radius - p.head<2>().norm(), hollow);
+  });
 }
 
 TEST(Measures, AHoleIsWhatOneSeesRightThroughAndAHollowIsNone) {

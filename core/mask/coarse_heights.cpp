@@ -37,7 +37,7 @@ std::vector<float> heightsAbove(const PointCloud& cloud, const rig::SheetBend& b
 double leastRaised(std::span<const float> heights, double thickness) {
   std::vector<float> off;
   for (const float height : heights)
-    if (std::abs(height) < thickness) off.push_back(std::abs(height));
+    if (height < 0 && height > -thickness) off.push_back(-height);
   return 4 * 1.4826 * medianOf(off);
 }
 

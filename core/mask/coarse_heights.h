@@ -15,8 +15,8 @@ enum Shown : unsigned char { kNothingShown = 0, kGroundShown = 1, kRaisedShown =
 /// How far each point lies above the ground, z = 0 but for its bend.
 std::vector<float> heightsAbove(const PointCloud& cloud, const rig::SheetBend& bend);
 
-/// How far above the ground points must lie to be told from it: four SD of those that lie within
-/// `thickness` of it.
+/// How far above the ground points must lie to be told from it: four of its SD. Taken from the
+/// points that lie below it, down to `thickness`: those above may be of thin sherds, however many.
 double leastRaised(std::span<const float> heights, double thickness);
 
 /// The nearest points at each pixel of `image` and its neighbours: Shown, of the image's size.

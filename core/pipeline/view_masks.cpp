@@ -19,7 +19,6 @@ constexpr double kCoarseMegapixels = 0.25;  // enough to tell a sherd of 5 mm he
 // it is blurred, or too plain, and stereo finds heights there that are none.
 constexpr double kSoughtBelow = 0.2, kSoughtAbove = 2, kGroundThickness = 0.05;
 
-constexpr double kTallest_mm = 80;      // that stands on a printed sheet, as the hull's space
 constexpr std::size_t kMostViews = 12;  // of a printed sheet: they see all that is to be confirmed
 
 rig::PosedImage coarsely(rig::PosedImage image) {
@@ -57,7 +56,7 @@ Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
   bounds.max() << ground.extent.max(), kSoughtAbove * reach;
   if (ground.printed) {
     bounds.min().z() = -kGroundThickness * reach;
-    bounds.max().z() = kTallest_mm;
+    bounds.max().z() = mask::PlateMaskOptions().height_mm;
   }
   const std::size_t step = ground.printed ? (images.size() + kMostViews - 1) / kMostViews : 1;
   std::vector<stereo::View> views((images.size() + step - 1) / step);

@@ -44,6 +44,14 @@ TEST(CoarseHeights, WhatIsRaisedLiesFourDeviationsAboveTheGround) {
   EXPECT_EQ(leastRaised({}, 5), 0);
 }
 
+TEST(CoarseHeights, WhatIsRaisedIsToldThoughThinSherdsCoverMostOfTheGround) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0, 0.5F);
+  std::vector<float> heights;
+  for (int k = 0; k < 10000; ++k) heights.push_back((k % 4 == 0 ? 0.F : 4.F) + noise(random));
+  EXPECT_NEAR(leastRaised(heights, 5), 2, 0.15);
+}
+
 TEST(CoarseHeights, ShowTheBlockWholeAndTheGroundAroundItAndNothingBeyond) {
   const cv::Mat1b shown = shownFromAbove(block());
   ASSERT_EQ(shown.size(), cv::Size(400, 300));

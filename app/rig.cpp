@@ -110,6 +110,11 @@ void addSimulate(CLI::App& rig, Command& chosen) {
       ->required();
   command->add_option("--seed", options->seed, "Start of all chance")->capture_default_str();
   command->add_option("--sherds", options->sherds, "Number of sherds")->capture_default_str();
+  command
+      ->add_option("--mesh", options->meshes,
+                   "Photograph this closed mesh (PLY, mm) in place of sherds; once for each thing")
+      ->check(CLI::ExistingFile)
+      ->excludes("--sherds");
   command->add_option("--width", options->width, "Width of a photograph in pixels")
       ->capture_default_str();
   command->add_option("--stops", options->stops, "Stops of the plate in a turn")
@@ -156,6 +161,7 @@ void addSimulate(CLI::App& rig, Command& chosen) {
   auto hand = std::make_shared<HandHeldOptions>();
   addHandHeld(*command, *options, *hand);
   command->callback([options, hand, &chosen] {
+    if (!options->meshes.empty()) options->sherds = static_cast<int>(options->meshes.size());
     if (options->hand_held) options->hand_held = *hand;  // the options after it count, too
     chosen = [options](Session& session) { return runSimulate(*options, session); };
   });

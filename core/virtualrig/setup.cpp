@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "rig/plate_print.h"
+#include "virtualrig/given_mesh.h"
 #include "virtualrig/layout.h"
 #include "virtualrig/plate_surface.h"
 
@@ -51,6 +52,23 @@ std::vector<double> drawRadii(int count, const FreeArea& free, Random& random) {
   if (area > most)
     for (double& r : radii) r *= std::sqrt(most / area);
   return radii;
+}
+
+std::optional<double> shinyShare(const SimulateOptions& options) {
+  return options.hand_held && !options.gloss ? kShinyByHand : options.gloss;
+}
+
+Result<std::vector<VirtualSherd>> givenMeshes(const SimulateOptions& options) {
+  Random random(mixed(options.seed, 1));
+  std::vector<VirtualSherd> sherds;
+  for (const std::filesystem::path& file : options.meshes) {
+    Result<VirtualSherd> sherd = sherdOfMesh(file);
+    if (!sherd) return sherd.error();
+    sherd->clay = makeClay(options.plain, random);
+    if (const std::optional<double> shiny = shinyShare(options)) widen(sherd->clay, *shiny, random);
+    sherds.push_back(std::move(*sherd));
+  }
+  return sherds;
 }
 
 }  // namespace
@@ -153,6 +171,7 @@ std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random&
 }
 
 Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
+  if (!options.meshes.empty()) return givenMeshes(options);
   Random random(mixed(options.seed, 1));
   const std::vector<double> radii = options.radii_mm.empty()
                                         ? drawRadii(options.sherds, freeArea(options), random)
@@ -183,8 +202,7 @@ Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
       order.form = VesselForm::Jar;
     choosePlace(order, random);
   }
-  const std::optional<double> shiny =
-      options.hand_held && !options.gloss ? kShinyByHand : options.gloss;
+  const std::optional<double> shiny = shinyShare(options);
   std::vector<VirtualSherd> sherds(orders.size());
   parallelFor(orders.size(), options.threads, [&](std::size_t i) {
     Random vessel_random(orders[i].vessel_seed), clay_random(orders[i].clay_seed);

@@ -32,7 +32,8 @@ VirtualRig asVirtual(const rig::Rig& rig, int width);
 /// corners.
 std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random& random);
 
-/// Vessels made and broken: the batch's sherds, largest first, look-alikes in twos.
+/// Vessels made and broken: the batch's sherds, largest first, look-alikes in twos; or the given
+/// meshes, in their order. Errors: those of sherdOfMesh.
 Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options);
 
 }  // namespace ostraka::virtualrig

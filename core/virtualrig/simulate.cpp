@@ -228,6 +228,9 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
 
 Result<void> SimulateOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (meshes.size() > 40) return bad("meshes may hold 40 files at most.");
+  if (!meshes.empty() && (scans_only || lookalikes > 0 || !radii_mm.empty()))
+    return bad("meshes are photographed as they are: no scans_only, no lookalikes, no radii_mm.");
   if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");
   if (width < 160 || width > 8192 || width % 4 != 0)
     return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");

@@ -33,6 +33,9 @@ enum class ScanNoise {
 struct SimulateOptions {
   std::uint64_t seed = 1;
   int sherds = 8;
+  /// Things of any shape in place of broken sherds, PLY files as sherdOfMesh reads them; then
+  /// `sherds` is not used. Their clay and paint are drawn like the sherds'.
+  std::vector<std::filesystem::path> meshes;
   int width = 1600;  ///< pixels; the height is 3/4 of it and the lens scales along
   std::filesystem::path output;
   PlateColor plate = PlateColor::Dark;

@@ -9310,6 +9310,36 @@
       <translation>Bogen wählen…</translation>
     </message>
     <message>
+      <source>Clear sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bogen entfernen</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s &amp;black square</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seite des &amp;schwarzen Markerquadrats</translation>
+    </message>
+    <message>
+      <source>Unknown</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unbekannt</translation>
+    </message>
+    <message>
+      <source> mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation> mm</translation>
+    </message>
+    <message>
+      <source>The sheet will be found in the photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Bogen wird in den Fotos gefunden.</translation>
+    </message>
+    <message>
+      <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Bogendatei (plate.json) und keine Markergröße: Das Ergebnis hat keinen Maßstab.</translation>
+    </message>
+    <message>
       <source>Sheet under the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bogen unter den Scherben</translation>
@@ -9343,11 +9373,6 @@
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bogen: %1</translation>
-    </message>
-    <message>
-      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Bogen: Neben den Fotos liegt keine plate.json. Ohne sie hat das Ergebnis keinen Maßstab.</translation>
     </message>
     <message>
       <source>%1: none</source>

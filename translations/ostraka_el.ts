@@ -9305,6 +9305,36 @@
       <translation>Επιλογή φύλλου…</translation>
     </message>
     <message>
+      <source>Clear sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αφαίρεση φύλλου</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s &amp;black square</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλευρά του &amp;μαύρου τετραγώνου δείκτη</translation>
+    </message>
+    <message>
+      <source>Unknown</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άγνωστο</translation>
+    </message>
+    <message>
+      <source> mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation> mm</translation>
+    </message>
+    <message>
+      <source>The sheet will be found in the photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το φύλλο θα βρεθεί στις φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ούτε αρχείο φύλλου (plate.json) ούτε μέγεθος δείκτη: το αποτέλεσμα δεν έχει κλίμακα.</translation>
+    </message>
+    <message>
       <source>Sheet under the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φύλλο κάτω από τα όστρακα</translation>
@@ -9338,11 +9368,6 @@
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φύλλο: %1</translation>
-    </message>
-    <message>
-      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χωρίς φύλλο: δεν υπάρχει plate.json δίπλα στις φωτογραφίες. Χωρίς αυτό το αποτέλεσμα δεν έχει κλίμακα.</translation>
     </message>
     <message>
       <source>%1: none</source>

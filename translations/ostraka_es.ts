@@ -9305,6 +9305,36 @@
       <translation>Elegir hoja…</translation>
     </message>
     <message>
+      <source>Clear sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quitar la hoja</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s &amp;black square</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lado del cuadrado &amp;negro de una marca</translation>
+    </message>
+    <message>
+      <source>Unknown</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Desconocido</translation>
+    </message>
+    <message>
+      <source> mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation> mm</translation>
+    </message>
+    <message>
+      <source>The sheet will be found in the photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La hoja se encontrará en las fotografías.</translation>
+    </message>
+    <message>
+      <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin archivo de hoja (plate.json) ni tamaño de marca: el resultado no tiene escala.</translation>
+    </message>
+    <message>
       <source>Sheet under the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hoja bajo los fragmentos</translation>
@@ -9338,11 +9368,6 @@
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hoja: %1</translation>
-    </message>
-    <message>
-      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sin hoja: no hay ningún plate.json junto a las fotos. Sin él, el resultado no tiene escala.</translation>
     </message>
     <message>
       <source>%1: none</source>

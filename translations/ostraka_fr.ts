@@ -9305,6 +9305,36 @@
       <translation>Choisir la feuille…</translation>
     </message>
     <message>
+      <source>Clear sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Retirer la feuille</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s &amp;black square</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Côté du carré &amp;noir d&apos;une marque</translation>
+    </message>
+    <message>
+      <source>Unknown</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inconnu</translation>
+    </message>
+    <message>
+      <source> mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation> mm</translation>
+    </message>
+    <message>
+      <source>The sheet will be found in the photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La feuille sera trouvée dans les photographies.</translation>
+    </message>
+    <message>
+      <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun fichier de feuille (plate.json) ni taille de marque : le résultat n&apos;a pas d&apos;échelle.</translation>
+    </message>
+    <message>
       <source>Sheet under the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Feuille sous les tessons</translation>
@@ -9338,11 +9368,6 @@
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Feuille : %1</translation>
-    </message>
-    <message>
-      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas de feuille : aucun plate.json à côté des photos. Sans lui, le résultat n’a pas d’échelle.</translation>
     </message>
     <message>
       <source>%1: none</source>

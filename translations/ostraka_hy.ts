@@ -9305,6 +9305,36 @@
       <translation>Ընտրել թերթ…</translation>
     </message>
     <message>
+      <source>Clear sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հեռացնել թերթը</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s &amp;black square</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշանի &amp;սև քառակուսու կողմը</translation>
+    </message>
+    <message>
+      <source>Unknown</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անհայտ</translation>
+    </message>
+    <message>
+      <source> mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation> mm</translation>
+    </message>
+    <message>
+      <source>The sheet will be found in the photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթը կգտնվի լուսանկարներում։</translation>
+    </message>
+    <message>
+      <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՛չ թերթի ֆայլ (plate.json), ո՛չ նշանի չափ. արդյունքը մասշտաբ չունի։</translation>
+    </message>
+    <message>
       <source>Sheet under the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թերթը բեկորների տակ</translation>
@@ -9338,11 +9368,6 @@
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թերթ՝ %1</translation>
-    </message>
-    <message>
-      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Թերթ չկա. լուսանկարների կողքին plate.json չկա։ Առանց դրա արդյունքը մասշտաբ չունի։</translation>
     </message>
     <message>
       <source>%1: none</source>

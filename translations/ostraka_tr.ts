@@ -9256,6 +9256,36 @@
       <translation>Sayfa seç…</translation>
     </message>
     <message>
+      <source>Clear sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfayı kaldır</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s &amp;black square</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir işaretin &amp;siyah karesinin kenarı</translation>
+    </message>
+    <message>
+      <source>Unknown</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bilinmiyor</translation>
+    </message>
+    <message>
+      <source> mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation> mm</translation>
+    </message>
+    <message>
+      <source>The sheet will be found in the photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfa fotoğraflarda bulunacak.</translation>
+    </message>
+    <message>
+      <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayfa dosyası (plate.json) ve işaret boyutu yok: sonucun ölçeği olmaz.</translation>
+    </message>
+    <message>
       <source>Sheet under the sherds</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaların altındaki sayfa</translation>
@@ -9289,11 +9319,6 @@
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfa: %1</translation>
-    </message>
-    <message>
-      <source>No sheet: no plate.json lies beside the photographs. Without it the result has no scale.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sayfa yok: fotoğrafların yanında plate.json yok. O olmadan sonucun ölçeği olmaz.</translation>
     </message>
     <message>
       <source>%1: none</source>

@@ -14,6 +14,8 @@
 #include "batch/exif.h"
 #include "batch/photographs.h"
 #include "pipeline/no_plate.h"
+#include "pipeline/proposed_sheet.h"
+#include "rig/plate_print.h"
 
 namespace ostraka::ui {
 namespace {
@@ -91,6 +93,18 @@ Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress)
     files.push_back({shot.file, batch::name(shot.side) / shot.file.filename()});
   if (!batch->plate_file.empty()) files.push_back({batch->plate_file, "plate.json"});
   return files;
+}
+
+// Where the size of a marker was said, the sheet is sought in the copies and described beside them.
+Result<void> describeSheet(const fs::path& copy, double marker_mm, Progress& progress,
+                           const std::stop_token& stop) {
+  Result<batch::Batch> batch = batch::readBatch(copy, {}, progress);
+  if (!batch) return batch.error();
+  pipeline::ProcessOptions options;
+  options.marker_mm = marker_mm;
+  if (Result<void> found = pipeline::proposeMissingSheet(*batch, options, progress, stop); !found)
+    return found;
+  return batch->plate ? rig::writePlate(copy / "plate.json", *batch->plate) : Result<void>();
 }
 
 // What was photographed or scanned, by size; the same picture has the same size.
@@ -193,6 +207,13 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
     imported.first_taken_ms = std::min(imported.first_taken_ms.value_or(*taken_ms), *taken_ms);
     imported.last_taken_ms = std::max(imported.last_taken_ms.value_or(*taken_ms), *taken_ms);
   }
+  if (options.sides && options.sides->marker_mm)
+    if (const Result<void> described =
+            describeSheet(imported.folder, *options.sides->marker_mm, progress, stop);
+        !described) {
+      fs::remove_all(imported.folder, ignored);
+      return Error{described.error().code, described.error().what, options.from.string()};
+    }
   return imported;
 }
 

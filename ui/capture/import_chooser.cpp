@@ -16,6 +16,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr const char* kSheetKey = "import.sheet";
+constexpr const char* kMarkerKey = "import.marker_mm";
 
 QStringList pathsOf(const QMimeData* data) {
   QStringList paths;
@@ -33,6 +34,11 @@ ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
     if (session_ != nullptr)
       (void)session_->project().catalogue().setSetting(kSheetKey, file.toStdString());
   });
+  connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
+    if (session_ != nullptr)
+      (void)session_->project().catalogue().setSetting(kMarkerKey,
+                                                       QByteArray::number(side_mm).toStdString());
+  });
 }
 
 void ImportChooser::setSession(ProjectSession* session) {
@@ -44,6 +50,12 @@ void ImportChooser::setSession(ProjectSession* session) {
 std::filesystem::path ImportChooser::lastSheet() const {
   const Result<std::string> kept = session_->project().catalogue().setting(kSheetKey);
   return kept ? std::filesystem::path(*kept) : std::filesystem::path();
+}
+
+std::optional<double> ImportChooser::lastMarker() const {
+  const Result<std::string> kept = session_->project().catalogue().setting(kMarkerKey);
+  const double side_mm = kept ? QByteArray::fromStdString(*kept).toDouble() : 0;
+  return side_mm > 0 ? std::optional(side_mm) : std::nullopt;
 }
 
 void ImportChooser::choose(ImportKind kind) {
@@ -73,11 +85,12 @@ void ImportChooser::take(const QStringList& paths) {
   connect(job_, &JobHandle::finished, this, [this, paths](const JobOutcome& outcome) {
     job_->deleteLater();
     job_ = nullptr;
-    const auto plan = outcomeAs<std::optional<SidesPlan>>(outcome);
+    auto plan = outcomeAs<std::optional<SidesPlan>>(outcome);
     if (!plan) return emit failed(plan.error());
-    if (*plan)
+    if (*plan) {
+      (*plan)->marker_mm = lastMarker();
       ask_->askSides(**plan);
-    else
+    } else
       ask_->ask(paths.front(), ImportKind::Photographs);
   });
 }

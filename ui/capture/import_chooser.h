@@ -36,6 +36,7 @@ class ImportChooser final : public QObject {
 
  private:
   std::filesystem::path lastSheet() const;
+  std::optional<double> lastMarker() const;
 
   QWidget* screen_;
   ImportAsk* ask_;

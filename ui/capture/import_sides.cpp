@@ -81,6 +81,7 @@ ImportSides SidesPlan::sides() const {
   const auto middle = files.begin() + static_cast<std::ptrdiff_t>(first_second);
   ImportSides all;
   all.sheet = sheet;
+  if (!sheet) all.marker_mm = marker_mm;
   if (one_side)
     all.front = files;
   else {

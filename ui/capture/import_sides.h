@@ -14,6 +14,7 @@ namespace ostraka::ui {
 struct ImportSides {
   std::vector<std::filesystem::path> front, back;  ///< no back: the fronts alone
   std::optional<std::filesystem::path> sheet;      ///< plate.json of the sheet under the sherds
+  std::optional<double> marker_mm;  ///< without one: side of a marker's black square on it
 };
 
 /// What was dropped or chosen, told apart by side, until a person confirms it. No widget.
@@ -26,6 +27,7 @@ struct SidesPlan {
   bool backs_first = false;
   bool one_side = false;
   std::optional<std::filesystem::path> sheet;
+  std::optional<double> marker_mm;
 
   ImportSides sides() const;
   /// No person needs to say anything more.

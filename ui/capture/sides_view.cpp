@@ -1,6 +1,7 @@
 #include "ui/capture/sides_view.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,6 +18,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kPicture = 2 * Look::kThumbnail;
+constexpr double kLargestMarker_mm = 500;
 
 }  // namespace
 
@@ -27,7 +29,10 @@ SidesView::SidesView(QWidget* parent)
       where_(new QSlider(Qt::Horizontal, this)),
       one_side_(new QCheckBox(tr("One side only"), this)),
       swap_(new QPushButton(tr("Swap sides"), this)),
-      sheet_(new ElidedLabel(this)) {
+      sheet_(new ElidedLabel(this)),
+      clear_sheet_(new QPushButton(tr("Clear sheet"), this)),
+      marker_label_(new QLabel(tr("Side of a marker's &black square"), this)),
+      marker_(new QDoubleSpinBox(this)) {
   flip_->setObjectName(QStringLiteral("importFlip"));
   flip_->setWordWrap(true);
   where_->setObjectName(QStringLiteral("importDivide"));
@@ -38,7 +43,16 @@ SidesView::SidesView(QWidget* parent)
   sheet_->setObjectName(QStringLiteral("importSheet"));
   auto* choose = new QPushButton(tr("Choose sheet…"), this);
   choose->setObjectName(QStringLiteral("importChooseSheet"));
-  for (QPushButton* button : {swap_, choose}) button->setMinimumHeight(controlHeight(*this));
+  clear_sheet_->setObjectName(QStringLiteral("importClearSheet"));
+  for (QPushButton* button : {swap_, choose, clear_sheet_})
+    button->setMinimumHeight(controlHeight(*this));
+  marker_->setObjectName(QStringLiteral("importMarker"));
+  marker_->setRange(0, kLargestMarker_mm);
+  marker_->setDecimals(2);
+  marker_->setSpecialValueText(tr("Unknown"));
+  marker_->setSuffix(tr(" mm"));
+  marker_->setMinimumHeight(controlHeight(*this));
+  marker_label_->setBuddy(marker_);
   auto* pictures = new QHBoxLayout;
   for (const Part& part : parts_) {
     auto* pair = new QHBoxLayout;
@@ -53,8 +67,12 @@ SidesView::SidesView(QWidget* parent)
   dividing->addWidget(where_, 1);
   dividing->addWidget(one_side_);
   dividing->addWidget(swap_);
+  dividing->addStretch();
   auto* beneath = new QHBoxLayout;
   beneath->addWidget(sheet_, 1);
+  beneath->addWidget(marker_label_);
+  beneath->addWidget(marker_);
+  beneath->addWidget(clear_sheet_);
   beneath->addWidget(choose);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -76,6 +94,12 @@ SidesView::SidesView(QWidget* parent)
     follow();
   });
   connect(choose, &QPushButton::clicked, this, &SidesView::chooseSheet);
+  connect(clear_sheet_, &QPushButton::clicked, this, [this] { useSheet({}); });
+  connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double side_mm) {
+    plan_.marker_mm = side_mm > 0 ? std::optional(side_mm) : std::nullopt;
+    follow();
+    emit markerChosen(side_mm);
+  });
 }
 
 SidesView::Part SidesView::buildPart(const QString& name) {
@@ -100,7 +124,8 @@ void SidesView::setThumbnails(Thumbnails* thumbnails) {
 
 void SidesView::setPlan(const SidesPlan& plan) {
   plan_ = plan;
-  const QSignalBlocker quiet(where_), silent(one_side_);
+  const QSignalBlocker quiet(where_), silent(one_side_), still(marker_);
+  marker_->setValue(plan.marker_mm.value_or(0));
   const auto least = static_cast<int>(kLeastOfASide);
   if (plan.divisible) where_->setRange(least, static_cast<int>(plan.files.size()) - least);
   where_->setValue(static_cast<int>(plan.first_second));
@@ -114,12 +139,15 @@ void SidesView::chooseSheet() {
   auto* dialog = new QFileDialog(this, tr("Sheet under the sherds"), {}, tr("Sheet (*.json)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    plan_.sheet = file.toStdString();
-    follow();
-    emit sheetChosen(file);
-  });
+  connect(dialog, &QFileDialog::fileSelected, this, &SidesView::useSheet);
   dialog->open();
+}
+
+void SidesView::useSheet(const QString& file) {
+  plan_.sheet.reset();
+  if (!file.isEmpty()) plan_.sheet = file.toStdString();
+  follow();
+  emit sheetChosen(file);
 }
 
 void SidesView::follow() {
@@ -134,10 +162,15 @@ void SidesView::follow() {
           ? tr("The series is divided where the sherds were turned over.")
           : tr("No pause stands out between the photographs. Move the slider to where the "
                "sherds were turned over."));
-  sheet_->setText(
-      plan_.sheet ? tr("Sheet: %1").arg(QString::fromStdString(plan_.sheet->string()))
-                  : tr("No sheet: no plate.json lies beside the photographs. Without it the result "
-                       "has no scale."));
+  clear_sheet_->setVisible(plan_.sheet.has_value());
+  for (QWidget* widget : {static_cast<QWidget*>(marker_label_), static_cast<QWidget*>(marker_)})
+    widget->setVisible(!plan_.sheet);
+  if (plan_.sheet)
+    sheet_->setText(tr("Sheet: %1").arg(QString::fromStdString(plan_.sheet->string())));
+  else if (plan_.marker_mm)
+    sheet_->setText(tr("The sheet will be found in the photographs."));
+  else
+    sheet_->setText(tr("No sheet file (plate.json) and no marker size: the result has no scale."));
   emit changed();
 }
 

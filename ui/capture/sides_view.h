@@ -5,6 +5,7 @@
 #include "ui/capture/import_sides.h"
 
 class QCheckBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -27,7 +28,8 @@ class SidesView final : public QWidget {
 
  signals:
   void changed();
-  void sheetChosen(const QString& file);
+  void sheetChosen(const QString& file);  ///< empty: there is no file
+  void markerChosen(double side_mm);
 
  private:
   struct Part {
@@ -36,6 +38,7 @@ class SidesView final : public QWidget {
   };
   Part buildPart(const QString& name);
   void chooseSheet();
+  void useSheet(const QString& file);
   void follow();
   void showPart(const Part& part, const QString& side,
                 const std::vector<std::filesystem::path>& files);
@@ -49,6 +52,9 @@ class SidesView final : public QWidget {
   QCheckBox* one_side_;
   QPushButton* swap_;
   ElidedLabel* sheet_;
+  QPushButton* clear_sheet_;
+  QLabel* marker_label_;
+  QDoubleSpinBox* marker_;
 };
 
 }  // namespace ostraka::ui

@@ -1,6 +1,7 @@
 // Photographs by hand that are dropped onto the screen.
 #include <QCheckBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QImage>
 #include <QLabel>
@@ -18,6 +19,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "virtualrig/batch_files.h"
+#include "virtualrig/simulate.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -99,6 +101,56 @@ class CaptureImportTest : public QObject {
     QTest::keyClick(ask, Qt::Key_Escape);
     QVERIFY(!ask->isVisible());
     QVERIFY(session_->project().catalogue().batches()->empty());
+  }
+
+  // A sheet that nobody described: its size is all that a person has to say of it.
+  void theSheetIsFoundInThePhotographsWhenAMarkersSizeIsSaid() {
+    virtualrig::SimulateOptions simulate;
+    simulate.sherds = 1;
+    simulate.width = 800;
+    simulate.hand_held.emplace().photographs = 6;
+    simulate.output = disk_->filePath("batch").toStdString();
+    QuietProgress quiet;
+    QVERIFY(virtualrig::simulateBatch(simulate, quiet, {}).has_value());
+    const auto described = batch::readPlate(simulate.output / "plate.json");
+    QVERIFY(described.has_value());
+    const auto side = [](const batch::Plate& plate) {
+      const auto& corners = plate.markers.front().corners;
+      return (corners[1] - corners[0]).norm();
+    };
+    QVERIFY(std::filesystem::remove(simulate.output / "plate.json"));
+    drop({disk_->filePath("batch/front"), disk_->filePath("batch/back")});
+    auto* ask = station_->findChild<ImportAsk*>();
+    QTRY_VERIFY(ask->isVisible());
+    auto* marker = child<QDoubleSpinBox>("importMarker");
+    QVERIFY(marker->isVisible());
+    QVERIFY(child<QLabel>("importSheet")->text().contains("no scale"));
+    marker->setValue(side(*described));
+    QVERIFY(child<QLabel>("importSheet")->text().contains("will be found"));
+    QSignalSpy imported(station_->importer(), &BatchImporter::imported);
+    QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, 60'000);
+    const auto found = batch::readPlate(session_->project().batchFolder("B0001") / "plate.json");
+    QVERIFY(found.has_value());
+    QVERIFY(found->markers.size() >= described->markers.size() / 2);
+    QVERIFY(std::abs(side(*found) - side(*described)) < 0.02 * side(*described));
+    // The next import knows the size already.
+    drop({disk_->filePath("batch/front"), disk_->filePath("batch/back")});
+    QTRY_VERIFY(ask->isVisible());
+    QCOMPARE(marker->value(), side(*described));
+  }
+
+  void aSheetFileThatWasUsedLastCanBeLeftOut() {
+    photographs("fronts", 4);
+    photographs("backs", 4);
+    QVERIFY(virtualrig::writePlateAndBoard(disk_->path().toStdString()).has_value());
+    drop({disk_->filePath("fronts"), disk_->filePath("backs")});
+    QTRY_VERIFY(station_->findChild<ImportAsk*>()->isVisible());
+    QVERIFY(!child<QDoubleSpinBox>("importMarker")->isVisible());
+    QTest::mouseClick(child<QPushButton>("importClearSheet"), Qt::LeftButton);
+    QVERIFY(child<QDoubleSpinBox>("importMarker")->isVisible());
+    QVERIFY(!child<QPushButton>("importClearSheet")->isVisible());
+    QVERIFY(child<QLabel>("importSheet")->text().contains("no scale"));
   }
 
   void whatHoldsNoPhotographsIsSaidWhenItIsDropped() {

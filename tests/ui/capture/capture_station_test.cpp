@@ -317,7 +317,7 @@ class CaptureStationTest : public QObject {
     QVERIFY(ask->isVisible());
     QVERIFY(turntable->isHidden());
     QVERIFY(turntable->note()->isHidden());
-    auto* line = ask->findChild<QLineEdit*>();
+    auto* line = ask->place()->findChild<QLineEdit*>();
     QCOMPARE(line->text(), QString());
     QTRY_VERIFY(line->hasFocus());
     QTest::keyClicks(line, "no bag at all, never");

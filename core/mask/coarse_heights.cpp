@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/median.h"
+#include "mask/plate_geometry.h"
 
 namespace ostraka::mask {
 namespace {
@@ -15,6 +16,17 @@ constexpr float kShownOdds = 6;  // as the plane sweep's at most (raised.cpp)
 
 cv::Mat disc(int radius) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
+}
+
+// Where depth jumps from one pixel to the next by more than a surface seen at 76 degrees would.
+cv::Mat1b jumps(const cv::Mat1f& depth, double mm_per_pixel) {
+  constexpr double kSteepest = 4;
+  cv::Mat1f even, nearest, farthest;
+  cv::medianBlur(depth, even, 5);
+  const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});
+  cv::erode(even, nearest, around);
+  cv::dilate(even, farthest, around);
+  return farthest - nearest > 2 * kSteepest * mm_per_pixel;
 }
 
 // What is enclosed by something raised is raised.
@@ -63,7 +75,9 @@ cv::Mat1b shownBy(const PointCloud& cloud, std::span<const float> heights,
   cv::Mat1b raised = shown == kRaisedShown, ground = shown == kGroundShown;
   cv::morphologyEx(raised, raised, cv::MORPH_OPEN, disc(2));  // single points are noise
   if (gaps == Gaps::Left) {
-    // Windows of stereo reach over an outline, those of two sherds over the gap between them.
+    // Windows of stereo reach over an outline, those of two sherds over the gap between them: they
+    // meet within it, the one before the other.
+    raised.setTo(0, jumps(depth, millimetresPerPixel(image)));
     cv::erode(raised, raised, disc(kEdge));
     shown.setTo(kNothingShown, (shown == kRaisedShown) & ~raised);
     return shown;

@@ -13,7 +13,7 @@
 namespace ostraka::pipeline {
 namespace {
 
-constexpr double kCoarseMegapixels = 0.25;  // enough to tell a sherd of 5 mm height from a table
+constexpr double kCoarseMegapixels = 0.5;  // enough to tell a sherd of 5 mm height from a table
 // Of the common sight's radius: how far below and above the ground things are looked for, and how
 // far from it its own points may lie. Beyond what was seen of the ground nothing is: what surrounds
 // it is blurred, or too plain, and stereo finds heights there that are none.

@@ -16,6 +16,7 @@ constexpr int kTints = 21;   // of each colour difference, 0.06 wide: the noise 
 constexpr int kLearningRounds = 2;  // the second learns from what the first was in doubt of
 constexpr float kMostOdds = 4;  // colours learnt from the odds may outvote a doubt, not a certainty
 constexpr float kDoubt = 2;     // odds below are no certainty
+constexpr float kFewest = 100;  // pixels that colours are learnt from
 constexpr double kShadows = 0.3;  // of the plate close to a sherd that lies in some shadow
 
 struct LogTable {
@@ -51,13 +52,20 @@ std::vector<cv::Rect> boxesOf(const cv::Mat1b& groups) {
   return boxes;
 }
 
+bool isBeyond(const ColourView& view, int y, int x) {
+  return !view.beyond.empty() && view.beyond(y, x) != 0;
+}
+
 // log P(colour | sherd) / P(colour | plate), from pixels weighted by how likely they are either.
 void learn(std::span<const ColourView> views, const std::vector<std::vector<cv::Rect>>& boxes,
-           int group, int reduction, bool certain_only, std::vector<float>& ratio) {
+           int group, int reduction, bool certain_only, std::vector<float>& ratio,
+           ColourHistogram& sherd) {
   static const LogTable kLogs;
-  ColourHistogram sherd, ground;
+  sherd = ColourHistogram();
+  ColourHistogram ground;
   for (std::size_t v = 0; v < views.size(); ++v)
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
+      if (isBeyond(views[v], y / reduction, x / reduction)) return;
       const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
       const float odds = (*views[v].log_odds)(y, x) + ratio[bin];
       const float share = 1 / (1 + std::exp(-odds));
@@ -68,23 +76,44 @@ void learn(std::span<const ColourView> views, const std::vector<std::vector<cv::
   ground.addShadows(kShadows);
   sherd.finish();
   ground.finish();
-  if (sherd.total() < 100 || ground.total() < 100) return;
+  if (sherd.total() < kFewest || ground.total() < kFewest) return;
   for (int bin = 0; bin < ColourHistogram::bins(); ++bin)
     ratio[bin] =
         std::clamp(std::log(sherd.density(bin) / ground.density(bin)), -kMostOdds, kMostOdds);
 }
 
-void sharpenGroup(std::span<const ColourView> views,
+// What one photograph shows beyond the plate and beside all hulls.
+ColourHistogram coloursBeyond(const ColourView& view, int reduction) {
+  static const LogTable kLogs;
+  ColourHistogram beyond;
+  for (int y = 0; y < view.beyond.rows; ++y)
+    for (int x = 0; x < view.beyond.cols; ++x)
+      if (view.beyond(y, x) != 0 && view.group(y, x) == 0)
+        beyond.add(ColourHistogram::bin(kLogs(view.photograph.at<cv::Vec3b>(
+            y * reduction + reduction / 2, x * reduction + reduction / 2))));
+  beyond.finish();
+  return beyond;
+}
+
+void sharpenGroup(std::span<const ColourView> views, std::span<const ColourHistogram> beyond,
                   const std::vector<std::vector<cv::Rect>>& boxes, int group, int reduction) {
   static const LogTable kLogs;
   std::vector<float> ratio(static_cast<std::size_t>(ColourHistogram::bins()), 0.F);
+  ColourHistogram sherd;
   for (int round = 0; round < kLearningRounds; ++round)
-    learn(views, boxes, group, reduction, round == 0, ratio);
-  for (std::size_t v = 0; v < views.size(); ++v)
+    learn(views, boxes, group, reduction, round == 0, ratio, sherd);
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const bool known = sherd.total() >= kFewest && beyond[v].total() >= kFewest;
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
       const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
-      (*views[v].log_odds)(y, x) += ratio[bin];
+      float& odds = (*views[v].log_odds)(y, x);
+      if (!isBeyond(views[v], y / reduction, x / reduction))
+        odds += ratio[bin];
+      else if (known)
+        odds += std::clamp(std::log(sherd.density(bin) / beyond[v].density(bin)), -kMostOdds,
+                           kMostOdds);
     });
+  }
 }
 
 }  // namespace
@@ -141,8 +170,11 @@ float ColourHistogram::density(int bin) const {
 void sharpenByColours(std::span<const ColourView> views, int reduction, int threads) {
   std::vector<std::vector<cv::Rect>> boxes;
   for (const ColourView& view : views) boxes.push_back(boxesOf(view.group));
+  std::vector<ColourHistogram> beyond(views.size());
+  parallelFor(views.size(), threads,
+              [&](std::size_t v) { beyond[v] = coloursBeyond(views[v], reduction); });
   parallelFor(255, threads, [&](std::size_t i) {
-    sharpenGroup(views, boxes, static_cast<int>(i) + 1, reduction);
+    sharpenGroup(views, beyond, boxes, static_cast<int>(i) + 1, reduction);
   });
 }
 

@@ -402,8 +402,9 @@ class PlateMasker {
       cv::Mat1b grown;
       cv::dilate(views_[i].group, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
       views_[i].group.copyTo(grown, views_[i].group != 0);
-      views.push_back(
-          {photographs_[i], grown, views_[i].depth >= 3 * space_.pitch, &views_[i].log_odds});
+      const cv::Mat1b beyond = plate_.sheet ? cv::Mat1b(views_[i].plate == 0) : cv::Mat1b();
+      views.push_back({photographs_[i], grown, views_[i].depth >= 3 * space_.pitch, beyond,
+                       &views_[i].log_odds});
     }
     sharpenByColours(views, hull_.reduction, options_.threads);
   }

@@ -119,11 +119,21 @@ struct Extent {
   double longest_mm = 0, height_mm = 0;
 };
 
+// Above the plate, of all but the highest tenth: stereo's noise stands up from the edge of a
+// shadow.
+double heightOf(const PointCloud& piece) {
+  std::vector<float> heights;
+  for (const Eigen::Vector3f& p : piece.points) heights.push_back(p.z());
+  const auto high = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() * 9 / 10);
+  std::nth_element(heights.begin(), high, heights.end());
+  return static_cast<double>(*high);
+}
+
 Extent extentOf(const PointCloud& piece) {
   Eigen::Vector3f low = piece.points[0], high = low;
   for (const Eigen::Vector3f& p : piece.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   return {(low + high).head<2>().cast<double>() / 2,
-          static_cast<double>((high - low).head<2>().norm()), static_cast<double>(high.z())};
+          static_cast<double>((high - low).head<2>().norm()), heightOf(piece)};
 }
 
 // A side's limits on the sizes of sherds, and how much of the usual sherd's size a millimetre is.

@@ -70,6 +70,20 @@ TEST(CoarseHeights, ShowNothingWhereNoPointLiesIfGapsAreLeft) {
   EXPECT_EQ(shown(150, 260), kGroundShown);
 }
 
+// Two blocks behind each other, and the gap between them filled by windows that reach over it.
+TEST(CoarseHeights, ShowNothingWhereDepthJumpsIfGapsAreLeft) {
+  PointCloud cloud;
+  for (int x = -60; x <= 60; ++x)
+    for (int y = -40; y <= 40; ++y)
+      cloud.points.emplace_back(static_cast<float>(x), static_cast<float>(y), x < 0 ? 20.F : 50.F);
+  const cv::Mat1b left = shownFromAbove(cloud, Gaps::Left);
+  EXPECT_EQ(left(150, 170), kRaisedShown);
+  EXPECT_EQ(left(150, 230), kRaisedShown);
+  EXPECT_EQ(left(150, 198), kNothingShown);
+  EXPECT_EQ(left(150, 202), kNothingShown);
+  EXPECT_EQ(shownFromAbove(cloud)(150, 198), kRaisedShown) << "where nothing else tells";
+}
+
 TEST(CoarseHeights, LieAboveABentSheet) {
   rig::SheetBend bend;
   bend.reach_mm = 100;

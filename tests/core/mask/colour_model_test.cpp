@@ -30,7 +30,7 @@ struct Sides {
     log_odds[2](cv::Rect(5, 5, 20, 20)) = -1.F;  // the third photograph is in doubt of the patch
     for (int k = 0; k < 3; ++k)
       views.push_back({photographs[k], cv::Mat1b(20, 20, uchar{1}), cv::Mat1b(20, 20, uchar{255}),
-                       &log_odds[k]});
+                       cv::Mat1b(), &log_odds[k]});
   }
 };
 
@@ -51,6 +51,26 @@ TEST(ColourModel, TheHullsFootTeachesNothingOfTheSherd) {
   for (ColourView& view : sides.views) view.core.setTo(0);
   sharpenByColours(sides.views, 4, 1);
   EXPECT_EQ(sides.log_odds[2](15, 15), -1);
+}
+
+// A tall sherd before a blue table: the hull, which is too wide there, reaches from 40 to 60 pixels
+// over what no plate lies behind, and the sherd fills the upper half of it.
+TEST(ColourModel, BeforeWhatLiesBeyondThePlateThatPhotographsOwnColoursCount) {
+  Sides sides;
+  for (int k = 0; k < 3; ++k) {
+    sides.photographs[k].colRange(40, 80) = cv::Scalar(150, 60, 40);
+    sides.photographs[k](cv::Rect(40, 0, 20, 40)) = cv::Scalar(60, 80, 150);
+    sides.log_odds[k].colRange(40, 80) = 0.F;
+    sides.views[k].group.colRange(15, 20) = uchar{0};
+    sides.views[k].beyond = cv::Mat1b(20, 20, uchar{0});
+    sides.views[k].beyond.colRange(10, 20) = uchar{255};
+  }
+  sharpenByColours(sides.views, 4, 1);
+  for (const cv::Mat1f& odds : sides.log_odds) {
+    EXPECT_GT(odds(20, 50), 1);
+    EXPECT_LT(odds(60, 50), -1);
+    EXPECT_EQ(odds(60, 70), 0) << "beside the hull nothing is asked";
+  }
 }
 
 TEST(ColourModel, IsTheSameForAnyNumberOfThreads) {

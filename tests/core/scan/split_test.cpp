@@ -148,6 +148,19 @@ TEST(SplitScans, KeepsASherdWithAWaistWhole) {
   EXPECT_EQ(split(cloud)->scans.size(), 1u);
 }
 
+// A shadow's border that a mask holds: stereo finds it on the plate, with some noise above.
+TEST(SplitScans, TakesANoisyStainOnThePlateForFlat) {
+  PointCloud cloud = test::box(-60, 40, 30, 25, 6);
+  PointCloud shadow = test::box(20, -40, 25, 20, 1);
+  for (std::size_t i = 0; i < shadow.size(); i += 20) shadow.points[i].z() = 2.4f;
+  test::append(cloud, shadow);
+  const auto found = split(cloud);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->scans.size(), 1u);
+  ASSERT_EQ(found->warnings.size(), 1u);
+  EXPECT_NE(found->warnings[0].find("flat"), std::string::npos);
+}
+
 TEST(SplitScans, SaysWhatIsWrongWithItsInput) {
   PointCloud bare = test::box(0, 0, 30, 25, 6);
   bare.normals.clear();

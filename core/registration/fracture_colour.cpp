@@ -161,6 +161,28 @@ Evidence channelEvidence(std::span<const ColourPair> pairs, int channel, double 
   return all;
 }
 
+// Colour differences are noisier than lightness. Where they correlate better all the same, the
+// lightness is mostly the relief's shading, which light from above inverts when a sherd is turned.
+int firstChannel(const ColourFit& fit) {
+  return fit.correlation[0] < fit.correlation[1] ? 1 : 0;
+}
+
+ColourFit correlated(std::span<const ColourPair> pairs) {
+  ColourFit fit;
+  fit.pairs = static_cast<int>(pairs.size());
+  if (fit.pairs < kFewestPairs) return fit;
+  for (int c = 0; c < 3; ++c)
+    fit.correlation[static_cast<std::size_t>(c)] = correlationOf(pairs, c);
+  int patches = 1;
+  for (std::size_t i = 1; i < pairs.size(); ++i)
+    patches += pairs[i].patch == pairs[i - 1].patch ? 0 : 1;
+  for (int c = firstChannel(fit); c < 3; ++c) {
+    const double r = std::clamp(fit.correlation[static_cast<std::size_t>(c)], 0.0, 0.99);
+    fit.log_likelihood -= 0.5 * patches * std::log(1 - r * r);
+  }
+  return fit;
+}
+
 // A common displacement d moves the detail as the pose does: it is marginalised.
 void takeOutDisplacement(double sd_mm, Evidence& evidence) {
   const Matrix3d own =
@@ -208,21 +230,20 @@ std::vector<ColourDetail> colourDetail(std::span<const Vector3f> points,
   return result;
 }
 
+ColourFit correlateColours(const StripLevel& front, const StripLevel& back,
+                           const Eigen::Isometry3d& front_from_back, const ColourOptions& options) {
+  if (front.colours.empty() || back.colours.empty()) return {};
+  return correlated(pairsOf(front, back, front_from_back, options));
+}
+
 ColourFit fitColours(const StripLevel& front, const StripLevel& back,
                      const Eigen::Isometry3d& front_from_back, const Vector3d& pivot,
                      const ColourOptions& options) {
-  ColourFit fit;
-  if (front.colours.empty() || back.colours.empty()) return fit;
+  if (front.colours.empty() || back.colours.empty()) return {};
   const std::vector<ColourPair> pairs = pairsOf(front, back, front_from_back, options);
-  fit.pairs = static_cast<int>(pairs.size());
+  ColourFit fit = correlated(pairs);
   if (fit.pairs < kFewestPairs) return fit;
-  for (int c = 0; c < 3; ++c)
-    fit.correlation[static_cast<std::size_t>(c)] = correlationOf(pairs, c);
-  // Colour differences are noisier than lightness. Where they correlate better all the same, the
-  // lightness is mostly the relief's shading, which light from above inverts when a sherd is
-  // turned.
-  const bool shaded = fit.correlation[0] < fit.correlation[1];
-  for (int c = shaded ? 1 : 0; c < 3; ++c) {
+  for (int c = firstChannel(fit); c < 3; ++c) {
     const double correlation = fit.correlation[static_cast<std::size_t>(c)];
     if (correlation > 0.05) fit.evidence += channelEvidence(pairs, c, correlation, pivot);
   }

@@ -34,6 +34,9 @@ struct ColourFit {
   Evidence evidence;
   std::array<double, 3> correlation{};  ///< of the two sides' detail, per channel
   int pairs = 0;
+  /// Of both sides showing the same detail, against two of which nothing is common; independent
+  /// from patch to patch. 0 where too few pairs meet.
+  double log_likelihood = 0;
 };
 
 /// Both sides photograph the same fracture: grains and stains of the clay must lie on each other.
@@ -41,6 +44,9 @@ struct ColourFit {
 /// where walls are steep, along the contour where it is smooth. Colored ICP (Park et al., ICCV
 /// 2017) with the regression dilution of a noisy gradient taken into account. Without colours, or
 /// where the two sides' detail does not correlate, the information is zero.
+/// Without its evidence: how well the detail agrees.
+ColourFit correlateColours(const StripLevel& front, const StripLevel& back,
+                           const Eigen::Isometry3d& front_from_back, const ColourOptions& options);
 ColourFit fitColours(const StripLevel& front, const StripLevel& back,
                      const Eigen::Isometry3d& front_from_back, const Eigen::Vector3d& pivot,
                      const ColourOptions& options);

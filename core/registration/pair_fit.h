@@ -49,6 +49,7 @@ class PairFit {
   double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const;
   Eigen::Vector3d pivot(const Eigen::Isometry3d& pose) const;
   double radius() const { return radius_mm_; }
+  double coarseMm() const { return options_.strip.coarse_mm; }  ///< spacing of the coarse strips
 
  private:
   double solve(FittedPose& pose, const Eigen::Vector3d& at) const;

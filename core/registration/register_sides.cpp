@@ -9,8 +9,10 @@
 #include "base/parallel.h"
 #include "registration/bilateral_boundary_icp.h"
 #include "registration/break_misfit.h"
+#include "registration/fracture_colour.h"
 #include "registration/pair_fit.h"
 #include "registration/self_check.h"
+#include "registration/turn_search.h"
 
 namespace ostraka::registration {
 namespace {
@@ -100,6 +102,25 @@ Registration reported(const FittedPose& best, const PairFit& pair, const Strip& 
 // Tukey's weight has it, and 30 or so places along a rim are independent.
 double poseGap(const FittedPose& best, const FittedPose& other) {
   return 30.0 * std::log(std::max(other.score, 1e-6) / std::max(best.score, 1e-6));
+}
+
+// How much likelier the colours of the fracture make a pose.
+double agreement(const Strip& front, const Strip& back, const FittedPose& pose) {
+  return correlateColours(front.fine, back.fine, pose.front_from_back, {}).log_likelihood;
+}
+
+// What the contour leaves loose the colours may hold, at another turn. Where they do, the pose that
+// was best so far becomes a rival.
+void turnLoose(FittedPose& best, std::vector<FittedPose>& rivals, const Strip& front,
+               const Strip& back, const PairFit& pair, int threads, const std::stop_token& stop) {
+  std::optional<FittedPose> turned = turnByColours(best, front, back, pair, threads, stop);
+  if (!turned) return;
+  pair.weighed(*turned);
+  const double likelier =
+      agreement(front, back, *turned) - agreement(front, back, best) + poseGap(*turned, best);
+  if (likelier <= 0) return;
+  rivals.push_back(best);
+  best = *turned;
 }
 
 Result<Registration> byBoundaries(const Strip& front, const Strip& back,
@@ -192,6 +213,12 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
 
   pair.weighed(best);
   const bool hopeless = rimsAreOne(best, front, back) < kNoPairLogLikelihood;
+  const bool rivalled = std::any_of(rivals.begin(), rivals.end(), [&](const FittedPose& rival) {
+    return pair.distance(rival.front_from_back, best.front_from_back) > kRivalMm &&
+           poseGap(best, rival) < kRivalGap;
+  });
+  if (!hopeless && (rivalled || pair.uncertainty(pair.covariance(best)) > kLargestUncertaintyMm))
+    turnLoose(best, rivals, front, back, pair, options.threads, stop);
   if (!hopeless && (!constraints.front.empty() || !constraints.back.empty())) {
     const SilhouetteConstraint silhouettes(front, back, constraints.front, constraints.back,
                                            best.front_from_back, {}, options.threads);
@@ -201,10 +228,13 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   }
   if (stop.stop_requested()) return Error::cancelled();
   Registration found = reported(best, pair, front, back);
+  const double colours = agreement(front, back, best);
   for (const FittedPose& rival : rivals) {
     const double away = pair.distance(rival.front_from_back, best.front_from_back);
-    if (away < kSamePoseMm || poseGap(best, rival) >= found.runner_up_gap) continue;
-    found.runner_up_gap = poseGap(best, rival);
+    if (away < kSamePoseMm) continue;
+    const double gap = poseGap(best, rival) + colours - agreement(front, back, rival);
+    if (gap >= found.runner_up_gap) continue;
+    found.runner_up_gap = gap;
     found.runner_up_mm = away;
   }
   const BreakMisfit misfit = breakMisfit(front, back, found.front_from_back);

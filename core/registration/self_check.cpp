@@ -13,14 +13,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kLargestRmsMm = 0.60;          // twice the worst true pair of fat stereo strips
-constexpr double kSmallestOverlap = 0.02;       // below it the rims were not seen from both sides
-constexpr double kLittleOverlap = 0.20;         // of whole scans 0.6 and more meets
-constexpr double kLargestCrossing = 0.10;       // faces may touch at feathered edges only
-constexpr double kLargestUncertaintyMm = 0.20;  // two of them are the 0.40 mm that must not pass
-constexpr float kFace = 0.8f;      // within 37 degrees of the viewer: face, no broken edge
-constexpr double kRivalGap = 2.0;  // log-likelihood: a rival 7 times less likely is no rival
-constexpr double kRivalMm = 0.40;
+constexpr double kLargestRmsMm = 0.60;     // twice the worst true pair of fat stereo strips
+constexpr double kSmallestOverlap = 0.02;  // below it the rims were not seen from both sides
+constexpr double kLittleOverlap = 0.20;    // of whole scans 0.6 and more meets
+constexpr double kLargestCrossing = 0.10;  // faces may touch at feathered edges only
+constexpr float kFace = 0.8f;              // within 37 degrees of the viewer: face, no broken edge
 
 std::string sentence(const char* format, double a, double b = 0) {
   char text[200];

@@ -7,6 +7,11 @@
 
 namespace ostraka::registration {
 
+/// Above it a pose is loose: two of them are the 0.40 mm that must not pass.
+inline constexpr double kLargestUncertaintyMm = 0.20;
+/// So much farther away another pose is a rival, unless it is 7 times less likely (logarithm).
+inline constexpr double kRivalMm = 0.40, kRivalGap = 2.0;
+
 /// How the two faces lie to each other, measured along the mean of the two viewing directions.
 struct Thickness {
   double median_mm = 0;

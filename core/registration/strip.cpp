@@ -55,8 +55,9 @@ Vector3d viewerDirection(const scan::Scan& scan) {
   return scan.up.dot(mean) < 0.5 ? mean : scan.up.normalized();
 }
 
-// One point per cube, the first met; keeps normals and weights as they are.
-StripLevel thinnedLevel(const StripLevel& fine, double edge_mm) {
+// One point per cube, the first met, with the mean colour of all; keeps normals and weights as they
+// are. colours: as long as the points, or empty.
+StripLevel thinnedLevel(const StripLevel& fine, const std::vector<Color>& colours, double edge_mm) {
   PointCloud cloud;
   cloud.points = fine.points;
   std::vector<int> kept;
@@ -78,6 +79,22 @@ StripLevel thinnedLevel(const StripLevel& fine, double edge_mm) {
     level.end.push_back(fine.end[i]);
   }
   level.tree = KdTree(level.points);
+  std::vector<std::array<double, 3>> sums;
+  std::vector<double> counts;
+  for (std::size_t k = 0; k < cells.size() && !colours.empty(); ++k) {
+    if (k == 0 || !std::equal(cells[k].begin(), cells[k].begin() + 3, cells[k - 1].begin())) {
+      sums.push_back({});
+      counts.push_back(0);
+    }
+    const Color& colour = colours[static_cast<std::size_t>(cells[k][3])];
+    for (std::size_t c = 0; c < 3; ++c) sums.back()[c] += colour[c];
+    ++counts.back();
+  }
+  std::vector<Color> means(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      means[i][c] = static_cast<std::uint8_t>(std::lround(sums[i][c] / counts[i]));
+  level.colours = colourDetail(level.points, level.normals, means, level.tree, 0.75 * edge_mm);
   return level;
 }
 
@@ -156,7 +173,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
   strip.fine.tree = KdTree(strip.fine.points);
   strip.fine.colours = colourDetail(strip.fine.points, strip.fine.normals, colours, strip.fine.tree,
                                     std::max(kPixelMm, 1.25 * strip.spacing_mm));
-  strip.coarse = thinnedLevel(strip.fine, options.coarse_mm);
+  strip.coarse = thinnedLevel(strip.fine, colours, options.coarse_mm);
   addShell(cloud, tree, 1.0, strip);
   return strip;
 }

@@ -31,7 +31,7 @@ struct StripLevel {
   std::vector<Eigen::Vector3f> normals;  ///< unit, outward, averaged over neighbours
   std::vector<float> weights;            ///< 0..1, lower in the lowest, fattest band
   std::vector<std::uint8_t> end;         ///< 1 where the scan ends below: the row that BBICP uses
-  std::vector<ColourDetail> colours;     ///< as long as points, or empty: no colours, coarse level
+  std::vector<ColourDetail> colours;     ///< as long as points, or empty: no colours
   KdTree tree{{}};
 };
 

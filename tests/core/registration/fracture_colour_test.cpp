@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "registration/register_sides.h"
 #include "simulated_sherd.h"
@@ -64,6 +67,66 @@ TEST(FractureColour, HoldsASmoothRoundSherdAlongItsContour) {
   // A quarter of the points' spacing of 0.4 mm; by shape alone it stays about where it began.
   EXPECT_LT(slipOf(painted), 0.1);
   EXPECT_GT(slipOf(plain), 2 * slipOf(painted));
+}
+
+// Lumps of 1 to 4 mm in the wall of a disc, no two stretches of it alike.
+void paintLumps(SimulatedSherd& sherd) {
+  struct Lump {
+    Vector3d at;
+    double radius, red, light;
+  };
+  std::mt19937 random(7);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  std::vector<Lump> lumps;
+  for (int k = 0; k < 150; ++k) {
+    const double phi = 6.283185307 * uniform();
+    lumps.push_back({Vector3d(20 * std::cos(phi), 20 * std::sin(phi), 5 * uniform()),
+                     1 + 3 * uniform(), 60 * uniform() - 30, 60 * uniform() - 30});
+  }
+  const auto colourAt = [&](const Vector3d& p) {
+    double red = 0, light = 0;
+    for (const Lump& lump : lumps) {
+      const double w = std::exp(-2 * (p - lump.at).squaredNorm() / (lump.radius * lump.radius));
+      red += w * lump.red;
+      light += w * lump.light;
+    }
+    const auto byte = [](double x) {
+      return static_cast<std::uint8_t>(std::lround(std::clamp(x, 20.0, 250.0)));
+    };
+    return Color{byte(140 + light + red), byte(115 + light), byte(90 + light)};
+  };
+  for (const Eigen::Vector3f& p : sherd.front.cloud.points)
+    sherd.front.cloud.colors.push_back(colourAt(p.cast<double>()));
+  for (const Eigen::Vector3f& p : sherd.back.cloud.points)
+    sherd.back.cloud.colors.push_back(colourAt(sherd.truth * p.cast<double>()));
+}
+
+TEST(FractureColour, FindsHowFarARoundSherdIsTurned) {
+  SimulatedSherd sherd = simulatedSherd({.relief = 0});
+  paintLumps(sherd);
+  const auto found = run(sherd, turned(sherd, 2.0));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.2);  // half their spacing
+  EXPECT_FALSE(found->slipped) << found->reason;
+}
+
+TEST(FractureColour, OfAnotherClayFindsNoTurn) {
+  SimulatedSherd sherd = simulatedSherd({.relief = 0});
+  paint(sherd, 0, 1.7);
+  const auto found = run(sherd, turned(sherd, 2.0));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(found->slipped);
+}
+
+TEST(FractureColour, IsLikelierAtTheTruePoseThanBesideIt) {
+  SimulatedSherd sherd = simulatedSherd({});
+  paint(sherd, 0, 0);
+  const auto front = prepareStrip(sherd.front, {}), back = prepareStrip(sherd.back, {});
+  const auto likelihoodAt = [&](double rad) {
+    return correlateColours(front->fine, back->fine, turned(sherd, rad), {}).log_likelihood;
+  };
+  EXPECT_GT(likelihoodAt(0), 20);
+  EXPECT_LT(likelihoodAt(0.06), 0.2 * likelihoodAt(0));  // 1.2 mm along the contour
 }
 
 TEST(FractureColour, OfAnotherClayLeavesASmoothSherdUncertain) {

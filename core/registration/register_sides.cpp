@@ -109,6 +109,19 @@ double agreement(const Strip& front, const Strip& back, const FittedPose& pose) 
   return correlateColours(front.fine, back.fine, pose.front_from_back, {}).log_likelihood;
 }
 
+// By fit and colours together: a box fits as well when it is turned by half.
+FittedPose likeliest(const std::vector<FittedPose>& poses, const Strip& front, const Strip& back) {
+  std::size_t best = 0;
+  double most = agreement(front, back, poses[0]);
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    const double colours = agreement(front, back, poses[k]);
+    if (colours - most + poseGap(poses[k], poses[best]) <= 0) continue;
+    best = k;
+    most = colours;
+  }
+  return poses[best];
+}
+
 // What the contour leaves loose the colours may hold, at another turn. Where they do, the pose that
 // was best so far becomes a rival.
 void turnLoose(FittedPose& best, std::vector<FittedPose>& rivals, const Strip& front,
@@ -209,7 +222,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   if (stop.stop_requested()) return Error::cancelled();
   progress.report(2, 3);
   rivals.insert(rivals.end(), survivors.begin(), survivors.end());
-  best = *std::min_element(rivals.begin(), rivals.end(), better);
+  best = likeliest(rivals, front, back);
 
   pair.weighed(best);
   const bool hopeless = rimsAreOne(best, front, back) < kNoPairLogLikelihood;

@@ -82,8 +82,10 @@ struct Registration {
 };
 
 /// Registers two scans that show the two sides of one sherd, from rough start poses (within about
-/// 3 mm along the rim and in height, and 5 degrees). The strips need normals. Errors: Cancelled,
-/// UnusableInput (options), NotEnough (no start, strip too small). About 0.3 s a pair, 1 thread.
+/// 3 mm along the rim and in height, and 5 degrees; where the contour does not tell how far the
+/// back is turned, the colours of the strips do, from any turn). The strips need normals. Errors:
+/// Cancelled, UnusableInput (options), NotEnough (no start, strip too small). About 0.3 s a pair, 1
+/// thread.
 Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
                                    std::span<const Eigen::Isometry3d> front_from_back_starts,
                                    const Constraints& constraints,

@@ -17,7 +17,9 @@ constexpr double kFineStepMm = 0.2;  // fine detail agrees about this far to eit
 
 FittedPose turnedBy(const FittedPose& pose, double angle_rad, const Strip& front,
                     const PairFit& pair) {
-  FittedPose turned = pose;
+  FittedPose turned;
+  turned.start = pose.start;
+  turned.alike = pose.alike;  // so that colours count from the first: by shape alone it would slide
   Vector6 x = Vector6::Zero();
   x.head<3>() = angle_rad * front.up;
   turned.front_from_back = turned.begun =

@@ -60,8 +60,8 @@ TEST(ShownOnAPrintedSheet, IsSherdAndHardlyEverPaper) {
     ground += cv::countNonZero(bare);
     wrong += cv::countNonZero(bare & truth);
   }
-  EXPECT_GT(both / raised, 0.97);
-  EXPECT_GT(both / sherd, 0.5);
+  EXPECT_GT(both / raised, 0.99);
+  EXPECT_GT(both / sherd, 0.4);  // what lies along outlines and jumps of depth is left to the rest
   EXPECT_LT(wrong / ground, 0.001);
 }
 

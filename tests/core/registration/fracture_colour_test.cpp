@@ -110,6 +110,20 @@ TEST(FractureColour, FindsHowFarARoundSherdIsTurned) {
   EXPECT_FALSE(found->slipped) << found->reason;
 }
 
+TEST(FractureColour, ChooseBetweenStartsThatFitAlike) {
+  SimulatedSherd sherd = simulatedSherd({.relief = 0});
+  paint(sherd, 0, 0);
+  QuietProgress quiet;
+  Constraints plates;
+  plates.front_on_plate = plates.back_on_plate = true;
+  const auto found =
+      registerSides(sherd.front, sherd.back, std::array{turned(sherd, 1.0), turned(sherd, 0.01)},
+                    plates, {}, quiet, {});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->start, 1);
+  EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.2);
+}
+
 TEST(FractureColour, OfAnotherClayFindsNoTurn) {
   SimulatedSherd sherd = simulatedSherd({.relief = 0});
   paint(sherd, 0, 1.7);

@@ -31,7 +31,7 @@ FittedPose turnedBy(const FittedPose& pose, double angle_rad, const Strip& front
 FittedPose refined(FittedPose pose, double step_rad, const Strip& front, const Strip& back,
                    const PairFit& pair, int threads) {
   pair.fine(pose);
-  const int half = static_cast<int>(std::ceil(step_rad * pair.radius() / kFineStepMm));
+  const int half = std::max(1, static_cast<int>(std::ceil(step_rad * pair.radius() / kFineStepMm)));
   std::vector<double> likelihoods(static_cast<std::size_t>(2 * half + 1));
   const auto at = [&](std::size_t k) {
     return turnedBy(pose, step_rad * (static_cast<double>(k) - half) / half, front, pair);

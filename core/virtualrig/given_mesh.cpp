@@ -78,6 +78,8 @@ Result<VirtualSherd> sherdOfMesh(const std::filesystem::path& file) {
   const auto refused = [&](const char* why) {
     return Error{ErrorCode::UnusableInput, why, file.string()};
   };
+  constexpr const char* kTooMany = "The mesh needs more than 500,000 triangles of 1 mm.";
+  if (read->mesh.triangles.size() > kMostTriangles) return refused(kTooMany);
   VirtualSherd sherd;
   sherd.mesh.vertices = read->mesh.vertices;
   sherd.mesh.triangles = read->mesh.triangles;
@@ -85,8 +87,7 @@ Result<VirtualSherd> sherdOfMesh(const std::filesystem::path& file) {
   if (longestEdge(sherd.mesh) > kLargest_mm) return refused("The mesh is larger than 300 mm.");
   while (longestEdge(sherd.mesh) > kMostEdge_mm) {
     sherd.mesh = withHalvedEdges(std::move(sherd.mesh));
-    if (sherd.mesh.triangles.size() > kMostTriangles)
-      return refused("The mesh needs more than 500,000 triangles of 1 mm.");
+    if (sherd.mesh.triangles.size() > kMostTriangles) return refused(kTooMany);
   }
 
   Eigen::Vector3d centre;

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "registration/fracture_colour.h"
+#include "registration/self_check.h"
 
 namespace ostraka::registration {
 namespace {
@@ -80,7 +81,9 @@ std::optional<FittedPose> turnByColours(const FittedPose& pose, const Strip& fro
   double other = 0;  // neighbours share detail with the best
   for (std::size_t k = 2; k + 2 < turns.size(); ++k)
     other = std::max(other, turns[(best + k) % turns.size()].likelihood);
-  if (!(turns[best].likelihood > kDistinct * other)) return {};
+  // Of so many turns some agree a little by chance.
+  const double by_chance = kRivalGap + std::log(static_cast<double>(count) * kBetween);
+  if (!(turns[best].likelihood > std::max(kDistinct * other, by_chance))) return {};
   return refined(turns[best].pose, step_rad / kBetween, front, back, pair, threads);
 }
 

@@ -98,9 +98,9 @@ std::string table(const CloudFigures& figures, const std::string& side) {
 }
 
 std::string table(const PairsEvaluation& set) {
-  std::string text =
-      words("%s: %d true pairs\n  %-8s %-8s %-22s %9s %9s %9s %9s\n", set.set.c_str(),
-            set.true_pairs, "front", "back", "verdict", "rms mm", "rot deg", "shift mm", "rim rms");
+  std::string text = words("%s: %d true pairs\n  %-8s %-8s %-22s %9s %9s %9s %12s\n",
+                           set.set.c_str(), set.true_pairs, "front", "back", "verdict", "rms mm",
+                           "rot deg", "shift mm", "fracture rms");
   std::vector<PairVerdict> sorted = set.verdicts;
   std::sort(sorted.begin(), sorted.end(),
             [](const PairVerdict& a, const PairVerdict& b) { return a.pair.front < b.pair.front; });
@@ -109,10 +109,10 @@ std::string table(const PairsEvaluation& set) {
     const auto shown = [&](double value) {
       return figure(measured ? std::optional<double>(value) : std::nullopt);
     };
-    text += words("  %-8s %-8s %-22s %9s %9s %9s %9s\n", v.pair.front.c_str(), v.pair.back.c_str(),
+    text += words("  %-8s %-8s %-22s %9s %9s %9s %12s\n", v.pair.front.c_str(), v.pair.back.c_str(),
                   verdictWords(v).c_str(), shown(v.error.rms_mm).c_str(),
                   shown(v.error.rotation_deg).c_str(), shown(v.error.shift_mm).c_str(),
-                  figure(v.pair.rim_rms_mm).c_str());
+                  figure(v.pair.fracture_rms_mm).c_str());
   }
   const auto list = [&](const char* title, const std::vector<std::string>& names) {
     if (names.empty()) return;
@@ -204,7 +204,7 @@ ordered_json toJson(const PairsEvaluation& set, const PairsSummary& s) {
                         {"silent", v.silent_error},
                         {"score", orNull(v.pair.score)},
                         {"margin", orNull(v.pair.margin)},
-                        {"rim_rms_mm", orNull(v.pair.rim_rms_mm)}};
+                        {"fracture_rms_mm", orNull(v.pair.fracture_rms_mm)}};
     if (v.transform == TransformState::Measured)
       row.update(ordered_json{{"rms_mm", v.error.rms_mm},
                               {"rot_deg", v.error.rotation_deg},

@@ -21,17 +21,17 @@ using pipeline::SherdSummary;
 ordered_json asJson(const ProcessSummary& summary, int status) {
   ordered_json sherds = ordered_json::array();
   for (const SherdSummary& s : summary.sherds)
-    sherds.push_back(
-        {{"number", s.number},
-         {"front", s.front},
-         {"back", s.back},
-         {"score", s.score},
-         {"ambiguous", s.ambiguous},
-         {"decided_by", s.decided_by},
-         {"rim_rms_mm", s.rimsCompared() ? ordered_json(s.rim_rms_mm) : ordered_json()},
-         {"uncertainty_mm", s.uncertainty_mm},
-         {"model", s.has_model},
-         {"remark", s.remark}});
+    sherds.push_back({{"number", s.number},
+                      {"front", s.front},
+                      {"back", s.back},
+                      {"score", s.score},
+                      {"ambiguous", s.ambiguous},
+                      {"decided_by", s.decided_by},
+                      {"fracture_rms_mm",
+                       s.fracturesCompared() ? ordered_json(s.fracture_rms_mm) : ordered_json()},
+                      {"uncertainty_mm", s.uncertainty_mm},
+                      {"model", s.has_model},
+                      {"remark", s.remark}});
   return {{"sherds", sherds},
           {"unpaired_front", summary.unpaired_front},
           {"unpaired_back", summary.unpaired_back},
@@ -50,14 +50,15 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
 }
 
 void printTable(const ProcessSummary& summary) {
-  std::printf("%-6s %-8s %-8s %7s %10s %12s  %s\n", "sherd", "front", "back", "score", "rim RMS mm",
-              "within mm", "");
+  std::printf("%-6s %-8s %-8s %7s %15s %12s  %s\n", "sherd", "front", "back", "score",
+              "fracture RMS mm", "within mm", "");
   for (const SherdSummary& s : summary.sherds) {
     const std::string state = std::string(s.ambiguous ? "AMBIGUOUS " : "") +
                               (s.decided_by.empty() ? "" : "decided by " + s.decided_by + " ") +
                               (s.has_model ? "" : "no model ") + s.remark;
-    std::printf("%-6s %-8s %-8s %7.4f %10s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
-                s.back.c_str(), s.score, s.rimsCompared() ? fixed(s.rim_rms_mm, 3).c_str() : "-",
+    std::printf("%-6s %-8s %-8s %7.4f %15s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
+                s.back.c_str(), s.score,
+                s.fracturesCompared() ? fixed(s.fracture_rms_mm, 3).c_str() : "-",
                 registration::within95_mm(s.uncertainty_mm), state.c_str());
   }
   printNames("Fronts without a back", summary.unpaired_front);

@@ -32,13 +32,13 @@ ordered_json asJson(const RegisterSummary& summary, int status) {
 }
 
 void printTable(const RegisterSummary& summary) {
-  std::printf("%-6s %-8s %-8s %7s %7s %10s %8s %12s\n", "sherd", "front", "back", "score", "margin",
-              "rim RMS mm", "overlap", "within mm");
+  std::printf("%-6s %-8s %-8s %7s %7s %15s %8s %12s\n", "sherd", "front", "back", "score", "margin",
+              "fracture RMS mm", "overlap", "within mm");
   for (const RegisterSummary::Pair& p : summary.pairs)
-    std::printf("%-6s %-8s %-8s %7.4f %7.4f %10s %8s %12.2f  %s%s\n", p.number.c_str(),
+    std::printf("%-6s %-8s %-8s %7.4f %7.4f %15s %8s %12.2f  %s%s\n", p.number.c_str(),
                 p.front.c_str(), p.back.c_str(), p.score, p.margin,
-                p.rimsCompared() ? fixed(p.rim_rms_mm, 3).c_str() : "-",
-                p.rimsCompared() ? fixed(p.rim_overlap, 2).c_str() : "-",
+                p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3).c_str() : "-",
+                p.fracturesCompared() ? fixed(p.fracture_overlap, 2).c_str() : "-",
                 registration::within95_mm(p.uncertainty_mm), p.ambiguous ? "AMBIGUOUS " : "",
                 p.reason.c_str());
   printNames("Fronts without a back", summary.unpaired_front);

@@ -8054,7 +8054,7 @@
       <translation>Der Scan hat keine Normalen; ihn mit Normalen exportieren.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weniger als 50 Punkte liegen auf der Bruchkante; die Scherbe mit ihrem Rand noch einmal scannen.</translation>
     </message>

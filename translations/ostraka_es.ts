@@ -8049,7 +8049,7 @@
       <translation>El escaneo no tiene normales; expórtelo con normales.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su borde.</translation>
     </message>

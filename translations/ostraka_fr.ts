@@ -8049,7 +8049,7 @@
       <translation>La numérisation n’a pas de normales ; exportez-la avec des normales.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec son bord.</translation>
     </message>

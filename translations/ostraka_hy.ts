@@ -8049,7 +8049,7 @@
       <translation>Սկանը նորմալներ չունի. արտահանեք այն նորմալներով։</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր եզրով։</translation>
     </message>

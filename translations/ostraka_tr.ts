@@ -8001,7 +8001,7 @@
       <translation>Taramanın normalleri yok; normalleriyle dışa aktarın.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kırık kenarında 50’den az nokta var; parçayı kenarıyla birlikte yeniden tarayın.</translation>
     </message>

@@ -39,11 +39,12 @@ DecisionRow insertDecision(Database& database, const PairDecision& d, const std:
   database
       .sql(
           "INSERT INTO pair_decision (id, at, person, batch, front, back, front_from_back, "
-          "score, margin, ambiguous, rim_rms_mm, rim_overlap, verdict, replaces, note) VALUES "
+          "score, margin, ambiguous, fracture_rms_mm, fracture_overlap, verdict, replaces, note) "
+          "VALUES "
           "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .with(id, d.at_ms, d.by, d.batch, d.front, d.back, poseText(d.front_from_back), d.score,
-            d.margin, d.ambiguous, d.rim_rms_mm, d.rim_overlap, wordOf(d.verdict), d.replaces,
-            d.note)
+            d.margin, d.ambiguous, d.fracture_rms_mm, d.fracture_overlap, wordOf(d.verdict),
+            d.replaces, d.note)
       .run();
   return {database.lastRow()};
 }
@@ -229,7 +230,8 @@ Result<std::vector<PairDecision>> Catalogue::decisions(BatchRow batch) const {
   return database_->door([&] {
     std::vector<PairDecision> all;
     Statement rows = database_->sql(
-        "SELECT row, batch, front, back, front_from_back, score, margin, rim_rms_mm, rim_overlap, "
+        "SELECT row, batch, front, back, front_from_back, score, margin, fracture_rms_mm, "
+        "fracture_overlap, "
         "ambiguous, person, verdict, replaces, note, at FROM pair_decision WHERE batch = ? "
         "ORDER "
         "BY row");
@@ -238,8 +240,8 @@ Result<std::vector<PairDecision>> Catalogue::decisions(BatchRow batch) const {
       PairDecision d;
       std::string pose, verdict;
       rows >> d.row >> d.batch >> d.front >> d.back >> pose >> d.score >> d.margin >>
-          d.rim_rms_mm >> d.rim_overlap >> d.ambiguous >> d.by >> verdict >> d.replaces >> d.note >>
-          d.at_ms;
+          d.fracture_rms_mm >> d.fracture_overlap >> d.ambiguous >> d.by >> verdict >> d.replaces >>
+          d.note >> d.at_ms;
       d.front_from_back = poseFromText(pose);
       d.verdict = fromWord<Verdict>(verdict);
       all.push_back(std::move(d));

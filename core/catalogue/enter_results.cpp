@@ -37,8 +37,8 @@ bool samePose(const std::optional<Eigen::Isometry3d>& a,
 
 bool sameWord(const PairDecision& a, const PairDecision& b) {
   return a.front == b.front && a.back == b.back && a.score == b.score && a.margin == b.margin &&
-         a.ambiguous == b.ambiguous && a.rim_rms_mm == b.rim_rms_mm &&
-         a.rim_overlap == b.rim_overlap && a.note == b.note &&
+         a.ambiguous == b.ambiguous && a.fracture_rms_mm == b.fracture_rms_mm &&
+         a.fracture_overlap == b.fracture_overlap && a.note == b.note &&
          samePose(a.front_from_back, b.front_from_back);
 }
 

@@ -110,8 +110,8 @@ class Reading {
       d.front_from_back = orRefuse(isometryFromJson(pose, (out_ / "pairs.json").string()));
       d.score = numberIn(p, "score");
       d.margin = numberIn(p, "margin");
-      d.rim_rms_mm = numberIn(p, "rim_rms_mm");
-      d.rim_overlap = numberIn(p, "rim_overlap");
+      d.fracture_rms_mm = numberIn(p, "fracture_rms_mm");
+      d.fracture_overlap = numberIn(p, "fracture_overlap");
       d.ambiguous = p.at("ambiguous").get<bool>();
       d.note = p.value("reason", "");
       results_.pairs.push_back(std::move(d));

@@ -137,7 +137,7 @@ struct PairDecision {
   BatchRow batch;
   ScanRow front, back;
   std::optional<Eigen::Isometry3d> front_from_back;  ///< mm
-  std::optional<double> score, margin, rim_rms_mm, rim_overlap;
+  std::optional<double> score, margin, fracture_rms_mm, fracture_overlap;
   bool ambiguous = false;
   PersonRow by;  ///< none: the program
   Verdict verdict = Verdict::Accept;

@@ -15,7 +15,7 @@ namespace ostraka::evaluate {
 /// A pair as pairs.json proposes it. Scans are named by the stem of their file.
 struct ProposedPair {
   std::string front, back;
-  std::optional<double> score, margin, rim_rms_mm;
+  std::optional<double> score, margin, fracture_rms_mm;
   bool ambiguous = false;
   std::vector<std::string> alternative_backs;
   bool has_transform = false;  ///< false also when T is not rigid
@@ -54,7 +54,8 @@ struct RegistrationError {
   /// Share of the error along the front's normals on the strip that both sides saw; absent when
   /// the front has no normals or at most 50 points of the back lie there.
   std::optional<double> across_share;
-  bool slipped = false;  ///< rms > 0.10 mm with across_share < 0.5: the rims fit at a wrong place
+  bool slipped =
+      false;  ///< rms > 0.10 mm with across_share < 0.5: the fractures fit at a wrong place
 };
 
 RegistrationError registrationError(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth,

@@ -53,7 +53,7 @@ Result<ProposedPair> readPair(const Json& entry, const std::filesystem::path& fi
   pair.back = stem(entry["back"].get<std::string>());
   pair.score = numberAt(entry, "score");
   pair.margin = numberAt(entry, "margin");
-  pair.rim_rms_mm = numberAt(entry, "rim_rms_mm");
+  pair.fracture_rms_mm = numberAt(entry, "fracture_rms_mm");
   const auto flag = entry.find("ambiguous");
   pair.ambiguous = flag != entry.end() && flag->is_boolean() && flag->get<bool>();
   if (const auto others = entry.find("alternatives"); others != entry.end() && others->is_array())

@@ -130,8 +130,8 @@ class Writing {
       if (d.front_from_back) out["T_front_from_back"] = toJson(*d.front_from_back);
       put(out, "score", d.score);
       put(out, "margin", d.margin);
-      put(out, "rim_rms_mm", d.rim_rms_mm);
-      put(out, "rim_overlap", d.rim_overlap);
+      put(out, "fracture_rms_mm", d.fracture_rms_mm);
+      put(out, "fracture_overlap", d.fracture_overlap);
       if (d.ambiguous) out["ambiguous"] = true;
       put(out, "note", d.note);
       one["decisions"].push_back(std::move(out));
@@ -312,8 +312,8 @@ class Entering {
     }
     take(d, "score", decision.score);
     take(d, "margin", decision.margin);
-    take(d, "rim_rms_mm", decision.rim_rms_mm);
-    take(d, "rim_overlap", decision.rim_overlap);
+    take(d, "fracture_rms_mm", decision.fracture_rms_mm);
+    take(d, "fracture_overlap", decision.fracture_overlap);
     decision.ambiguous = d.value("ambiguous", false);
     decision.note = text(d, "note");
     const Result<DecisionRow> saved = restoreDecision(catalogue_, decision, text(d, "id"));

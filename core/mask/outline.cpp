@@ -78,7 +78,7 @@ struct Sides {
 };
 
 // The sherd's colour at the very outline: where it meets the plate half of the sky is hidden from
-// its last pixel; along its upper rim, with the plate far behind, it is as light as beside it.
+// its last pixel; along its upper edge, with the plate far behind, it is as light as beside it.
 void shadeFoot(const cv::Mat1f& inside, const cv::Mat1f& outside, const Sides& sides,
                cv::Mat3f& sherd) {
   cv::Mat1f away = outside - inside, across, along;
@@ -89,9 +89,9 @@ void shadeFoot(const cv::Mat1f& inside, const cv::Mat1f& outside, const Sides& s
     for (int x = 0; x < sherd.cols; ++x) {
       if (inside(y, x) > 4 || outside(y, x) > 4) continue;
       const cv::Vec2f normal(across(y, x), along(y, x));
-      const float rim = std::max(0.F, normal.dot(sides.up)) /
-                        std::max(1e-3F, static_cast<float>(cv::norm(normal)));
-      sherd(y, x) *= 1 - sides.foot * (1 - std::min(rim, 1.F));
+      const float level = std::max(0.F, normal.dot(sides.up)) /
+                          std::max(1e-3F, static_cast<float>(cv::norm(normal)));
+      sherd(y, x) *= 1 - sides.foot * (1 - std::min(level, 1.F));
     }
 }
 

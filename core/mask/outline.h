@@ -30,7 +30,7 @@ cv::Mat1b softenOutline(const cv::Mat1b& cut, const cv::Mat& photograph);
 /// The same once more from the outline that softenOutline found, with colours taken closer by, and
 /// a sherd's last pixel darker along its foot. up: where the plate's upward direction points in the
 /// picture, as long as the cosine of the camera's height above the plate: an outline that faces
-/// there is an upper rim before a plate far behind it, any other one meets the plate.
+/// there is an upper edge before a plate far behind it, any other one meets the plate.
 cv::Mat1b refineOutline(const cv::Mat1b& soft, const cv::Mat& photograph, const cv::Vec2f& up);
 
 }  // namespace ostraka::mask

@@ -29,38 +29,38 @@ cv::Vec3f latticeAt(const cv::Mat3f& lattice, float x, float y) {
          (lattice(r + 1, c) * (1 - a) + lattice(r + 1, c + 1) * a) * b;
 }
 
-// 255 on the plate's bare rim: between and outside the markers.
-cv::Mat1b bareRim(const PlateGrid& grid, const cv::Mat1b& paper) {
-  cv::Mat1b rim(grid.size, grid.size, uchar{0});
+// 255 on the plate's bare border: between and outside the markers.
+cv::Mat1b bareBorder(const PlateGrid& grid, const cv::Mat1b& paper) {
+  cv::Mat1b border(grid.size, grid.size, uchar{0});
   const double inner = grid.ring_inner_mm, outer = grid.radius_mm - 2;
   for (int row = 0; row < grid.size; ++row)
     for (int column = 0; column < grid.size; ++column) {
       const double x = grid.pitch_mm * (column - grid.middle()),
                    y = grid.pitch_mm * (row - grid.middle()), square = x * x + y * y;
       if (square > inner * inner && square < outer * outer && paper(row, column) == 0)
-        rim(row, column) = 255;
+        border(row, column) = 255;
     }
-  return rim;
+  return border;
 }
 
-// Median log colour of the plate's bare rim: a ring all around, so every stop sees the same light
-// on it, and what differs between stops is exposure.
-cv::Vec3f rimColour(const cv::Mat3f& samples, const cv::Mat1b& rim) {
+// Median log colour of the plate's bare border: a ring all around, so every stop sees the same
+// light on it, and what differs between stops is exposure.
+cv::Vec3f borderColour(const cv::Mat3f& samples, const cv::Mat1b& border) {
   cv::Vec3f colour(0, 0, 0);
   std::vector<float> values[3];
-  for (int row = 0; row < rim.rows; ++row)
-    for (int column = 0; column < rim.cols; ++column)
-      if (rim(row, column) != 0 && samples(row, column)[0] != kNoSample)
+  for (int row = 0; row < border.rows; ++row)
+    for (int column = 0; column < border.cols; ++column)
+      if (border(row, column) != 0 && samples(row, column)[0] != kNoSample)
         for (int channel = 0; channel < 3; ++channel)
           values[channel].push_back(samples(row, column)[channel]);
   for (int channel = 0; channel < 3; ++channel) colour[channel] = medianOf(values[channel]);
   return colour;
 }
 
-// A quadratic over the image through the plate's bare rim (between and outside the markers), where
-// no sherd stands: the start that needs no idea of the sherds' colours.
-void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat1b& rim,
-                     PlatePicture& picture) {
+// A quadratic over the image through the plate's bare border (between and outside the markers),
+// where no sherd stands: the start that needs no idea of the sherds' colours.
+void fitLightFromBorder(std::span<const PlateLook> looks, const Samples& samples,
+                        const cv::Mat1b& border, PlatePicture& picture) {
   const cv::Size size = looks[0].log_colours.size();
   const auto basis = [&](double x, double y) {
     const double u = 2 * x / size.width - 1, v = 2 * y / size.height - 1;
@@ -75,9 +75,9 @@ void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples, c
       Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
       const double scale = round == 0 ? 1e3 : 1.0 / (1 << std::min(round, 3));
       for (std::size_t s = 0; s < looks.size(); ++s)
-        for (int row = 0; row < rim.rows; row += kFitStride)
-          for (int column = 0; column < rim.cols; column += kFitStride) {
-            if (rim(row, column) == 0 || samples[s](row, column)[0] == kNoSample) continue;
+        for (int row = 0; row < border.rows; row += kFitStride)
+          for (int column = 0; column < border.cols; column += kFitStride) {
+            if (border(row, column) == 0 || samples[s](row, column)[0] == kNoSample) continue;
             const float value = samples[s](row, column)[channel] - picture.exposure[s][channel];
             const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
             const auto b = basis(p[0], p[1]);
@@ -96,7 +96,7 @@ void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples, c
 }
 
 // The albedo to start from: the empty plate where it was photographed, the median over the looks
-// on the markers' paper (bare in most of them), the rim's colour elsewhere.
+// on the markers' paper (bare in most of them), the border's colour elsewhere.
 void startAlbedo(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat3f& empty,
                  int empty_look, const cv::Mat1b& paper, PlatePicture& picture) {
   std::vector<float> values;
@@ -155,18 +155,18 @@ struct Anchor {
   Tolerance tolerance;
 };
 
-// How far the plate's own mottle strays from one colour, measured on the bare rim; a stain may be
-// three times as strong. With an empty photograph the anchor is each cell's own colour.
+// How far the plate's own mottle strays from one colour, measured on the bare border; a stain may
+// be three times as strong. With an empty photograph the anchor is each cell's own colour.
 Tolerance anchorTolerance(std::span<const PlateLook> looks, const Samples& samples,
-                          const cv::Mat1b& rim, const PlatePicture& picture) {
+                          const cv::Mat1b& border, const PlatePicture& picture) {
   Tolerance tolerance{0.1F, 0.04F};
   if (picture.has_empty) return tolerance;
   std::vector<float> brightness, colour;
   for (std::size_t s = 0; s < looks.size(); ++s)
-    for (int row = 0; row < rim.rows; row += kFitStride)
-      for (int column = 0; column < rim.cols; column += kFitStride) {
+    for (int row = 0; row < border.rows; row += kFitStride)
+      for (int column = 0; column < border.cols; column += kFitStride) {
         const cv::Vec3f value = samples[s](row, column);
-        if (rim(row, column) == 0 || value[0] == kNoSample) continue;
+        if (border(row, column) == 0 || value[0] == kNoSample) continue;
         const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
         const cv::Vec3f own = value - latticeAt(picture.light, p[0], p[1]) - picture.exposure[s];
         const float g = (own[0] + own[1] + own[2]) / 3;
@@ -362,20 +362,20 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
   if (!empty.empty()) empty_samples = sampled(empty, looks[empty_look].pixel_of_cell);
   picture.has_empty = !empty.empty();
   cv::Vec3f mean(0, 0, 0);
-  const cv::Mat1b rim = bareRim(grid, paper);
+  const cv::Mat1b border = bareBorder(grid, paper);
   for (std::size_t s = 0; s < looks.size(); ++s) {
-    picture.exposure[s] = rimColour(samples[s], rim);
+    picture.exposure[s] = borderColour(samples[s], border);
     mean += picture.exposure[s] * (1.F / static_cast<float>(looks.size()));
   }
   for (cv::Vec3f& exposure : picture.exposure) exposure -= mean;
   if (!empty_samples.empty()) {
-    const cv::Vec3f shift = mean - rimColour(empty_samples, rim);
+    const cv::Vec3f shift = mean - borderColour(empty_samples, border);
     for (cv::Vec3f& value : empty_samples)
       if (value[0] != kNoSample) value += shift;
   }
-  fitLightFromRim(looks, samples, rim, picture);
+  fitLightFromBorder(looks, samples, border, picture);
   startAlbedo(looks, samples, empty_samples, empty_look, paper, picture);
-  const Anchor anchor{picture.albedo.clone(), anchorTolerance(looks, samples, rim, picture)};
+  const Anchor anchor{picture.albedo.clone(), anchorTolerance(looks, samples, border, picture)};
   for (int round = 0; round < kAlternations; ++round) {
     // From a wide look at everything plate-like down to the noise of a pixel.
     const float narrowing = std::pow(0.75F, static_cast<float>(round));

@@ -232,10 +232,10 @@ Result<void> AssignOptions::check() const {
   return {};
 }
 
-double jointLogLikelihood(double outline, double rim, int n_scans) {
+double jointLogLikelihood(double outline, double fracture, int n_scans) {
   constexpr double kLookAlike = 0.02;  // share of strangers that have an outline nearly the same
   const double stranger = std::log(1 - kLookAlike) - outline;
-  const double look_alike = std::log(kLookAlike) - rim;
+  const double look_alike = std::log(kLookAlike) - fracture;
   const double most = std::max(stranger, look_alike);
   const double either = most + std::log(std::exp(stranger - most) + std::exp(look_alike - most));
   // A match against leaving both alone: (1/n) / (lone * lone).

@@ -11,10 +11,10 @@ namespace ostraka::pairing {
 /// of ratios: 'two sides of one sherd' against 'two sherds at random'.
 struct Evidence {
   int front = 0, back = 0;
-  double log_likelihood = 0;  ///< contour, rim and position together, of the best start
-  double rim_rms_mm = 0;      ///< of the registered strips; for reasons and reports only
-  double overlap = 0;         ///< share of the strip that met the other side, 0..1
-  bool slipped = false;       ///< the registration's self-check says that the pose may be wrong
+  double log_likelihood = 0;   ///< contour, fracture and position together, of the best start
+  double fracture_rms_mm = 0;  ///< of the registered strips; for reasons and reports only
+  double overlap = 0;          ///< share of the strip that met the other side, 0..1
+  bool slipped = false;        ///< the registration's self-check says that the pose may be wrong
   double runner_up_start_log_likelihood = -1e9;  ///< second distinct pose of this same pair
 };
 
@@ -64,15 +64,15 @@ Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, 
                                const AssignOptions& options);
 
 /// For each piece of evidence: by how much the best total falls when its pair must be part of the
-/// assignment; 0 for the pairs of the best one. What lies 20 below cannot come back by a rim's
+/// assignment; 0 for the pairs of the best one. What lies 20 below cannot come back by a fracture's
 /// word. Errors as assignPairs.
 Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_front, int n_back,
                                     double lone_log_likelihood);
 
-/// Log-likelihood ratio from outline, rim and batch size, for Evidence::log_likelihood. A false
-/// pair is a stranger (judged by the outline, against strangers at random) or, one time in fifty, a
-/// look-alike (judged by the rim, against rims of like outlines); whichever explains more counts.
-/// A scan has n_scans possible partners, and one in ten has none.
-double jointLogLikelihood(double outline, double rim, int n_scans);
+/// Log-likelihood ratio from outline, fracture and batch size, for Evidence::log_likelihood. A
+/// false pair is a stranger (judged by the outline, against strangers at random) or, one time in
+/// fifty, a look-alike (judged by the fracture, against fractures of like outlines); whichever
+/// explains more counts. A scan has n_scans possible partners, and one in ten has none.
+double jointLogLikelihood(double outline, double fracture, int n_scans);
 
 }  // namespace ostraka::pairing

@@ -12,7 +12,7 @@
 #include "pairing/assignment.h"
 #include "pairing/planar_alignment.h"
 #include "pairing/turning_angles.h"
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 namespace ostraka::pairing {
 namespace {

@@ -14,9 +14,14 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using registration::Slip;
 
-constexpr std::array<const char*, 8> kSlips = {
-    "",          "upside_down", "faces_cross",   "no_shared_rim", "rim_misfits",
-    "rim_loose", "rival_place", "outlines_alone"};
+constexpr std::array<const char*, 8> kSlips = {"",
+                                               "upside_down",
+                                               "faces_cross",
+                                               "no_shared_fracture",
+                                               "fracture_misfits",
+                                               "fracture_loose",
+                                               "rival_place",
+                                               "outlines_alone"};
 constexpr std::array<const char*, 6> kDoubts = {"",          "self_check", "other_partner",
                                                 "strangers", "other_pose", "displaced"};
 
@@ -59,8 +64,8 @@ ordered_json toJson(const RegisteredCandidate& c, const CandidateTable& table) {
   return {{"front", table.fronts[static_cast<std::size_t>(c.evidence.front)].id},
           {"back", table.backs[static_cast<std::size_t>(c.evidence.back)].id},
           {"log_likelihood", c.evidence.log_likelihood},
-          {"rim_rms_mm", r.rim_rms_mm},
-          {"rim_overlap", r.rim_overlap},
+          {"fracture_rms_mm", r.fracture_rms_mm},
+          {"fracture_overlap", r.fracture_overlap},
           {"uncertainty_mm", r.uncertainty_mm},
           {"runner_up_gap", r.runner_up_gap},
           {"runner_up_mm", r.runner_up_mm},
@@ -79,8 +84,8 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
                                           const std::string& where) {
   RegisteredCandidate c;
   registration::Registration& r = c.registration;
-  r.rim_rms_mm = numberAt(value, "rim_rms_mm");
-  r.rim_overlap = numberAt(value, "rim_overlap");
+  r.fracture_rms_mm = numberAt(value, "fracture_rms_mm");
+  r.fracture_overlap = numberAt(value, "fracture_overlap");
   r.uncertainty_mm = numberAt(value, "uncertainty_mm");
   r.runner_up_gap = numberAt(value, "runner_up_gap");
   r.runner_up_mm = numberAt(value, "runner_up_mm");
@@ -109,8 +114,8 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
     return Error{ErrorCode::UnusableInput, "A candidate names a scan that is not there.", where};
   c.evidence.log_likelihood = numberAt(value, "log_likelihood");
-  c.evidence.rim_rms_mm = r.rim_rms_mm;
-  c.evidence.overlap = r.rim_overlap;
+  c.evidence.fracture_rms_mm = r.fracture_rms_mm;
+  c.evidence.overlap = r.fracture_overlap;
   c.evidence.slipped = r.slipped;
   c.evidence.runner_up_start_log_likelihood = c.evidence.log_likelihood - r.runner_up_gap;
   return c;

@@ -14,7 +14,7 @@
 
 namespace ostraka::pipeline {
 
-/// A pair of sides whose rims were compared.
+/// A pair of sides whose fractures were compared.
 struct RegisteredCandidate {
   pairing::Evidence evidence;  ///< front and back: indices of the table's scans
   registration::Registration registration;
@@ -31,7 +31,7 @@ struct RegisteredDecision {
   registration::Registration registration;
 };
 
-/// What the pairs are decided from: all that is left of a batch when its rims were compared.
+/// What the pairs are decided from: all that is left of a batch when its fractures were compared.
 struct CandidateTable {
   std::vector<ScanRef> fronts, backs;
   std::vector<std::string> front_files, back_files;  ///< PLY, relative to OUT/work

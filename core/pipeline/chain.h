@@ -65,9 +65,9 @@ struct DecidedPair {
   bool ambiguous = false, slipped = false;
   std::string reason;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  double rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
+  double fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
   std::string decided_by, decided_at;  ///< a person's word; empty: the program's own
-  bool rimsCompared() const { return rim_rms_mm > 0; }
+  bool fracturesCompared() const { return fracture_rms_mm > 0; }
 };
 
 struct Pairs {
@@ -112,7 +112,7 @@ std::string scanFolder(const Run& run, batch::Side side);
 Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
                                   const Staged<std::vector<scan::Scan>>& fronts,
                                   const Staged<std::vector<scan::Scan>>& backs);
-/// Rims compared, and what people decided put into effect. back_scale: of scaleStage.
+/// Fractures compared, and what people decided put into effect. back_scale: of scaleStage.
 Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, double back_scale,
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Staged<std::vector<scan::Scan>>& fronts,

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Isometry3d;
 using registration::Registration;
 
-// Rims that pull a person's pose farther than this have found another place along the break.
+// Fractures that pull a person's pose farther than this have found another place along the break.
 constexpr double kHeld_mm = 5;
 constexpr double kSamePose_mm = 0.5;
 
@@ -233,7 +233,7 @@ Result<Registration> registerDecided(const PairDecision& decision, const scan::S
   if (!given || (!found && found.error().code == ErrorCode::Cancelled)) return found;
   const ScanRef place = refOf(back, batch::Side::Back);
   const double moved = found ? apart_mm(place, *given, found->front_from_back) : 1.0;
-  if (found && decision.settle == Settle::ByRims && moved < kHeld_mm) return found;
+  if (found && decision.settle == Settle::ByFractures && moved < kHeld_mm) return found;
   Registration stands = found ? *found : Registration{};
   stands.front_from_back = *given;
   stands.start = 0;
@@ -242,8 +242,8 @@ Result<Registration> registerDecided(const PairDecision& decision, const scan::S
   if (front_strip && back_strip) {
     const registration::PoseFigures figures =
         registration::figuresAt(*front_strip, *back_strip, *given);
-    stands.rim_rms_mm = figures.rim_rms_mm;
-    stands.rim_overlap = figures.rim_overlap;
+    stands.fracture_rms_mm = figures.fracture_rms_mm;
+    stands.fracture_overlap = figures.fracture_overlap;
     stands.crossing_share = figures.crossing_share;
     stands.thickness_mm = figures.thickness_mm;
   }

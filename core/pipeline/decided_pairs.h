@@ -23,7 +23,7 @@ Settled settledBy(const Decisions& standing, const CandidateTable& table);
 
 /// One assignment over the scans that nobody decided about, and the decided pairs, which are not
 /// ambiguous any more. A decided pair keeps the program's own score. Where the pose is not that of
-/// a candidate, registration.start is -1 and no rims are compared yet. Errors: as assigned().
+/// a candidate, registration.start is -1 and no fractures are compared yet. Errors: as assigned().
 Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
                            const pairing::AssignOptions& options);
 
@@ -31,9 +31,9 @@ Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
 double apart_mm(const ScanRef& back, const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
 
 /// The registration of a decided pair: from its pose, or from the outlines where it has none. One
-/// that the rims do not hold (or that stands as given) keeps the person's pose, with the distance
-/// to the rims' own place in its uncertainty. Errors: NotEnough (no usable rim and no pose given),
-/// Cancelled.
+/// that the fractures do not hold (or that stands as given) keeps the person's pose, with the
+/// distance to the fractures' own place in its uncertainty. Errors: NotEnough (no usable fracture
+/// and no pose given), Cancelled.
 Result<registration::Registration> registerDecided(const PairDecision& decision,
                                                    const scan::Scan& front, const scan::Scan& back,
                                                    const registration::Constraints& constraints,

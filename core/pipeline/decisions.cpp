@@ -66,7 +66,7 @@ ordered_json toJson(const PairDecision& d) {
       {"by", d.by},         {"note", d.note},         {"scans", scans}};
   if (d.kind == DecisionKind::Pair) {
     if (d.front_from_back) out["T_front_from_back"] = ostraka::toJson(*d.front_from_back);
-    out["settle"] = d.settle == Settle::AsGiven ? "as_given" : "by_rims";
+    out["settle"] = d.settle == Settle::AsGiven ? "as_given" : "by_fractures";
   }
   if (d.kind == DecisionKind::Split) out["cut_mm"] = {toJson(d.cut_mm[0]), toJson(d.cut_mm[1])};
   return out;
@@ -95,7 +95,8 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
     if (!pose) return pose.error();
     d.front_from_back = *pose;
   }
-  d.settle = value.value("settle", "by_rims") == "as_given" ? Settle::AsGiven : Settle::ByRims;
+  d.settle =
+      value.value("settle", "by_fractures") == "as_given" ? Settle::AsGiven : Settle::ByFractures;
   if (value.contains("cut_mm"))
     d.cut_mm = {pointFrom(value["cut_mm"].at(0)), pointFrom(value["cut_mm"].at(1))};
   return d;

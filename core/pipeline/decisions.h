@@ -35,8 +35,8 @@ struct ScanRef {
 
 /// What becomes of the pose that a person gives.
 enum class Settle {
-  ByRims,  ///< it is a start; the registration goes on from it
-  AsGiven  ///< it stands as it is: made by hand where the rims tell too little
+  ByFractures,  ///< it is a start; the registration goes on from it
+  AsGiven       ///< it stands as it is: made by hand where the fractures tell too little
 };
 
 /// What a person decided: a value that the window writes and the chain reads.
@@ -52,7 +52,7 @@ struct PairDecision {
   std::string note;            ///< free text
   std::vector<ScanRef> scans;  ///< Pair: front, back. Join: two or more. Split: one
   std::optional<Eigen::Isometry3d> front_from_back;  ///< Pair; absent: the program finds it
-  Settle settle = Settle::ByRims;
+  Settle settle = Settle::ByFractures;
   std::array<Eigen::Vector2d, 2> cut_mm{};  ///< Split: a line on the side's plate, a to b
 };
 

@@ -19,7 +19,7 @@
 #include "pipeline/review.h"
 #include "registration/pair_fit.h"
 #include "rig/camera.h"
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -31,7 +31,7 @@ using registration::Strip;
 using Line = std::vector<Eigen::Vector2d>;
 
 constexpr int kTurnSamples = 200;
-constexpr double kRimReach_mm = 1.5;
+constexpr double kFractureReach_mm = 1.5;
 constexpr double kBeside_mm = 1;            // farther than the outline's own roundings
 constexpr std::size_t kTold = 4000;         // points that tell whether anything lies there
 constexpr std::size_t kLeastOfAPart = 200;  // points; fewer make no outline
@@ -131,8 +131,8 @@ void addTurns(PairView& view) {
 LiveFit fitOf(const registration::Registration& r) {
   LiveFit fit;
   fit.front_from_back = r.front_from_back;
-  fit.rim_rms_mm = r.rim_rms_mm;
-  fit.rim_overlap = r.rim_overlap;
+  fit.fracture_rms_mm = r.fracture_rms_mm;
+  fit.fracture_overlap = r.fracture_overlap;
   fit.uncertainty_mm = r.uncertainty_mm;
   fit.slipped = r.slipped;
   fit.slip = r.slip;
@@ -144,8 +144,8 @@ LiveFit shownAt(const Strip& front, const Strip& back, const Isometry3d& pose) {
   const registration::PoseFigures figures = registration::figuresAt(front, back, pose);
   LiveFit fit;
   fit.front_from_back = pose;
-  fit.rim_rms_mm = figures.rim_rms_mm;
-  fit.rim_overlap = figures.rim_overlap;
+  fit.fracture_rms_mm = figures.fracture_rms_mm;
+  fit.fracture_overlap = figures.fracture_overlap;
   return fit;
 }
 
@@ -176,7 +176,7 @@ struct LivePairs::State {
                     std::move(*cloud),
                     {},
                     Eigen::Vector3d::UnitZ()};
-    read.rim = scan::findRim(read.cloud, {.up = read.up});
+    read.fracture = scan::findFracture(read.cloud, {.up = read.up});
     if (!front && table.back_scale != 1) read = pairing::scaled(read, table.back_scale);
     slot.scan = Result<scan::Scan>(std::move(read));
     return *slot.scan;
@@ -396,7 +396,8 @@ Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) co
   const Result<const Strip*> front_strip = state_->stripOf(Side::Front, front);
   const Result<const Strip*> back_strip = state_->stripOf(Side::Back, back);
   if (front_strip && back_strip)
-    view.rim = registration::rimDistances(**front_strip, **back_strip, pose, kRimReach_mm);
+    view.fracture =
+        registration::fractureDistances(**front_strip, **back_strip, pose, kFractureReach_mm);
   return view;
 }
 
@@ -458,11 +459,11 @@ Result<ScanCloud> LivePairs::cloud(Side side, int scan, std::size_t most_points)
   std::vector<int> kept;
   ScanCloud out;
   for (std::size_t i = 0; i < n; ++i) {
-    // Of the rim all points stay: it is what a person looks at.
-    const bool rim = i < (*found)->rim.size() && (*found)->rim[i] != 0;
-    if (!rim && i % step != 0) continue;
+    // Of the fracture all points stay: it is what a person looks at.
+    const bool fracture = i < (*found)->fracture.size() && (*found)->fracture[i] != 0;
+    if (!fracture && i % step != 0) continue;
     kept.push_back(static_cast<int>(i));
-    out.rim.push_back(rim ? 1 : 0);
+    out.fracture.push_back(fracture ? 1 : 0);
   }
   out.cloud = subset((*found)->cloud, kept);
   return out;

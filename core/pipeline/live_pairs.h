@@ -18,16 +18,16 @@ namespace ostraka::pipeline {
 /// Two sides at a pose, with its figures.
 struct LiveFit {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  double rim_rms_mm = 0, rim_overlap = 0;
+  double fracture_rms_mm = 0, fracture_overlap = 0;
   double uncertainty_mm = 0;  ///< 0: nothing was estimated, the pose is as it was given
   double contour_rms_mm = 0;  ///< 0: not asked
   bool slipped = false;
   registration::Slip slip = registration::Slip::None;
   int shift = -1;  ///< start point on the back's contour, of 200; -1: not known
 
-  /// So little of the rims lies together that nothing is shown by it: sides that were seen well
-  /// meet along 0.15 and more.
-  bool hardlyMeets() const { return !(rim_overlap >= 0.05); }
+  /// So little of the fractures lies together that nothing is shown by it: sides that were seen
+  /// well meet along 0.15 and more.
+  bool hardlyMeets() const { return !(fracture_overlap >= 0.05); }
 };
 
 /// What the screen shows of a pair at a pose. All lengths in the front's plate frame, mm; the back
@@ -38,13 +38,13 @@ struct PairView {
   std::vector<Eigen::Vector2d> front_outline, back_outline;  ///< closed
   std::vector<double> front_turns, back_turns;  ///< accumulated turning angles, rad, 200 or none
   double turns_difference = 0;                  ///< RMS of the two, rad
-  std::vector<registration::RimDistance> rim;
+  std::vector<registration::FractureDistance> fracture;
 };
 
-/// A scan for the 3D view: thinned, with colours, its rim marked.
+/// A scan for the 3D view: thinned, with colours, its fracture marked.
 struct ScanCloud {
   PointCloud cloud;  ///< its own plate frame; backs brought to the fronts' size
-  std::vector<std::uint8_t> rim;
+  std::vector<std::uint8_t> fracture;
 };
 
 /// One batch opened for work on its pairs by hand. Scans are read when they are first asked for and
@@ -59,7 +59,7 @@ class LivePairs {
   const std::filesystem::path& output() const;
 
   /// The registration goes on from a pose (strip, outlines, rest on the plate). About 0.2 s.
-  /// on_way, where somebody looks on: the pose and its rim after the coarse and after the fine
+  /// on_way, where somebody looks on: the pose and its fracture after the coarse and after the fine
   /// rounds, and at last that of the result. It does not change the result.
   Result<LiveFit> settled(int front, int back, const Eigen::Isometry3d& start, std::stop_token stop,
                           const std::function<void(const LiveFit&)>& on_way = {}) const;
@@ -67,7 +67,8 @@ class LivePairs {
   Result<LiveFit> measured(int front, int back, const Eigen::Isometry3d& pose) const;
   /// The pose of one start point of the back's contour, measured, moved no further.
   Result<LiveFit> atStartPoint(int front, int back, int shift) const;
-  /// Outlines, then rims: for a pair that the program did not compare. shifts: its start points.
+  /// Outlines, then fractures: for a pair that the program did not compare. shifts: its start
+  /// points.
   Result<RegisteredCandidate> compared(int front, int back, std::stop_token stop) const;
   /// The backs by how well their outlines fit this front's, best first.
   Result<std::vector<int>> likeliestBacks(int front, Progress& progress,

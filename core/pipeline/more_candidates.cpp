@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Found so far. orders: per front all backs, the likeliest first, but those whose rims cannot be
-// compared.
+// Found so far. orders: per front all backs, the likeliest first, but those whose fractures cannot
+// be compared.
 struct Found {
   CandidateTable table;
   std::map<int, std::vector<int>> orders;

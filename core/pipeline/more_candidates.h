@@ -11,7 +11,7 @@
 namespace ostraka::pipeline {
 
 /// The next back for a front beyond those that are known already, by how well the outlines fit,
-/// with the rims compared; nothing when there is none left. What was found is kept in
+/// with the fractures compared; nothing when there is none left. What was found is kept in
 /// OUT/work/more_candidates.json until the pairs are computed again, so that it is found once.
 /// Errors: Cancelled, a scan that cannot be read, a disk that cannot be written to.
 Result<std::optional<RegisteredCandidate>> nextCandidate(const LivePairs& live, int front,

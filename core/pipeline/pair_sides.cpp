@@ -7,7 +7,7 @@
 
 #include "base/json.h"
 #include "base/parallel.h"
-#include "pairing/rim_evidence.h"
+#include "pairing/fracture_evidence.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -19,7 +19,8 @@ struct Registered {
   std::optional<registration::Registration> registration;  // absent: cancelled
 };
 
-// Where rims cannot be compared, the outlines may still tell the pair; its pose is for a person.
+// Where fractures cannot be compared, the outlines may still tell the pair; its pose is for a
+// person.
 registration::Registration outlinesAlone(const pairing::PairCandidate& candidate, std::string why) {
   registration::Registration rough;
   rough.front_from_back = candidate.starts.front().front_from_back;
@@ -70,39 +71,39 @@ double outlineOf(const Registered& r, const scan::Scan& back) {
 
 constexpr double kRuledOut = 12;  // logarithm: below the best start's outline by this much
 
-bool rimsCompared(const Registered& r) {
+bool fracturesCompared(const Registered& r) {
   return r.registration && r.registration->misfit_mm > 0;
 }
 
-/// One figure per candidate, 0 where no rims could be compared.
-std::vector<double> rimsOf(const std::vector<Registered>& registered,
-                           std::span<const scan::Scan> backs) {
-  std::vector<pairing::RimFigures> figures;
+/// One figure per candidate, 0 where no fractures could be compared.
+std::vector<double> fracturesOf(const std::vector<Registered>& registered,
+                                std::span<const scan::Scan> backs) {
+  std::vector<pairing::FractureFigures> figures;
   for (const Registered& r : registered) {
-    if (!rimsCompared(r)) continue;
+    if (!fracturesCompared(r)) continue;
     const scan::Scan& back = backs[static_cast<std::size_t>(r.candidate->back)];
     figures.push_back({r.candidate->front, r.candidate->back, outlineOf(r, back),
                        r.registration->misfit_mm, r.registration->misfit_places});
   }
-  const std::vector<double> known = pairing::rimLogLikelihoods(figures);
-  std::vector<double> rims(registered.size(), 0);
+  const std::vector<double> known = pairing::fractureLogLikelihoods(figures);
+  std::vector<double> fractures(registered.size(), 0);
   std::size_t next = 0;
   for (std::size_t i = 0; i < registered.size(); ++i) {
-    if (rimsCompared(registered[i])) rims[i] = known[next++];
+    if (fracturesCompared(registered[i])) fractures[i] = known[next++];
   }
-  return rims;
+  return fractures;
 }
 
-pairing::Evidence evidenceOf(const Registered& r, const scan::Scan& back, double rim,
+pairing::Evidence evidenceOf(const Registered& r, const scan::Scan& back, double fracture,
                              double place_log_likelihood, int n_scans) {
   const registration::Registration& found = *r.registration;
   pairing::Evidence evidence;
   evidence.front = r.candidate->front;
   evidence.back = r.candidate->back;
   evidence.log_likelihood =
-      pairing::jointLogLikelihood(outlineOf(r, back), rim, n_scans) + place_log_likelihood;
-  evidence.rim_rms_mm = found.rim_rms_mm;
-  evidence.overlap = found.rim_overlap;
+      pairing::jointLogLikelihood(outlineOf(r, back), fracture, n_scans) + place_log_likelihood;
+  evidence.fracture_rms_mm = found.fracture_rms_mm;
+  evidence.overlap = found.fracture_overlap;
   evidence.slipped = found.slipped;
   evidence.runner_up_start_log_likelihood = evidence.log_likelihood - found.runner_up_gap;
   return evidence;
@@ -171,7 +172,7 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
       registered[i].registration = outlinesAlone(candidate, (front.strip ? back : front).why);
       return;
     }
-    // Best first. Rims that hardly meet may agree by chance where outlines rule the pose out.
+    // Best first. Fractures that hardly meet may agree by chance where outlines rule the pose out.
     std::vector<Eigen::Isometry3d> starts;
     for (const pairing::StartPose& start : candidate.starts)
       if (start.log_likelihood > candidate.starts.front().log_likelihood - kRuledOut)
@@ -183,7 +184,7 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
   });
   if (stop.stop_requested()) return Error::cancelled();
 
-  const std::vector<double> rims = rimsOf(registered, backs);
+  const std::vector<double> fractures = fracturesOf(registered, backs);
   const int n_scans = static_cast<int>(std::max(fronts.size(), backs.size()));
   CandidateTable table;
   for (const scan::Scan& scan : fronts) table.fronts.push_back(refOf(scan, batch::Side::Front));
@@ -196,9 +197,9 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
             ? 0.0
             : placeLogLikelihood(fronts[static_cast<std::size_t>(r.candidate->front)],
                                  backs[static_cast<std::size_t>(r.candidate->back)]);
-    table.candidates.push_back(
-        {evidenceOf(r, backs[static_cast<std::size_t>(r.candidate->back)], rims[i], hint, n_scans),
-         *r.registration, r.candidate->starts});
+    table.candidates.push_back({evidenceOf(r, backs[static_cast<std::size_t>(r.candidate->back)],
+                                           fractures[i], hint, n_scans),
+                                *r.registration, r.candidate->starts});
   }
   return table;
 }
@@ -251,14 +252,15 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
                      {"reason", pair.decision.reason},
                      {"alternatives", alternatives},
                      {"T_front_from_back", ostraka::toJson(pair.registration.front_from_back)},
-                     {"rim_rms_mm", nullptr},
-                     {"rim_misfit_mm", pair.registration.misfit_mm},
-                     {"rim_overlap", pair.registration.rim_overlap},
+                     {"fracture_rms_mm", nullptr},
+                     {"fracture_misfit_mm", pair.registration.misfit_mm},
+                     {"fracture_overlap", pair.registration.fracture_overlap},
                      {"uncertainty_mm", pair.registration.uncertainty_mm},
                      {"contour_rms_mm", pair.contour_rms_mm},
                      {"slipped", pair.registration.slipped}});
-    if (pair.registration.rim_rms_mm > 0)
-      pairs.back()["rim_rms_mm"] = pair.registration.rim_rms_mm;  // null: no rims to compare
+    if (pair.registration.fracture_rms_mm > 0)
+      pairs.back()["fracture_rms_mm"] =
+          pair.registration.fracture_rms_mm;  // null: no fractures to compare
     if (pair.decided != 0)
       pairs.back()["decided"] = {
           {"decision", pair.decided}, {"by", pair.decided_by}, {"at", pair.decided_at}};

@@ -40,10 +40,10 @@ struct PairTable {
   std::vector<int> unpaired_front, unpaired_back;
   std::vector<int> aside_front, aside_back;      ///< taken out by a person
   std::vector<int> reshoot_front, reshoot_back;  ///< to be shot again, says a person
-  int candidates = 0;                            ///< pairs whose rims were compared
+  int candidates = 0;                            ///< pairs whose fractures were compared
 };
 
-/// All pairs within reach by their outlines, each registered by its rim. The table's files and
+/// All pairs within reach by their outlines, each registered by its fracture. The table's files and
 /// scale are left to the caller. constraints may be empty. Errors as the stages'.
 Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
                                     std::span<const scan::Scan> backs,

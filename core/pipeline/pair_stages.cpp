@@ -1,4 +1,4 @@
-// Which back belongs to which front: rims compared, then what people decided.
+// Which back belongs to which front: fractures compared, then what people decided.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -41,19 +41,20 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
       const Result<Eigen::Isometry3d> pose =
           isometryFromJson(p.at("T_front_from_back"), file.string());
       if (!pose) return pose.error();
-      pairs.pairs.push_back({indexOf(fronts, p.at("front")),
-                             indexOf(backs, p.at("back")),
-                             p.at("score"),
-                             p.at("margin"),
-                             p.at("ambiguous"),
-                             p.at("slipped"),
-                             p.at("reason"),
-                             *pose,
-                             p.at("rim_rms_mm").is_null() ? 0.0 : numberAt(p, "rim_rms_mm"),
-                             p.at("rim_overlap"),
-                             p.at("uncertainty_mm"),
-                             {},
-                             {}});
+      pairs.pairs.push_back(
+          {indexOf(fronts, p.at("front")),
+           indexOf(backs, p.at("back")),
+           p.at("score"),
+           p.at("margin"),
+           p.at("ambiguous"),
+           p.at("slipped"),
+           p.at("reason"),
+           *pose,
+           p.at("fracture_rms_mm").is_null() ? 0.0 : numberAt(p, "fracture_rms_mm"),
+           p.at("fracture_overlap"),
+           p.at("uncertainty_mm"),
+           {},
+           {}});
       if (p.contains("decided")) {
         pairs.pairs.back().decided_by = p["decided"].at("by");
         pairs.pairs.back().decided_at = p["decided"].at("at");

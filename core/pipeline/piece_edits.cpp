@@ -4,14 +4,14 @@
 #include <cstdio>
 
 #include "pipeline/candidate_table.h"
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 namespace ostraka::pipeline {
 namespace {
 
 using scan::Scan;
 
-constexpr std::size_t kLeastPoints = 200;  // fewer make no outline and no rim
+constexpr std::size_t kLeastPoints = 200;  // fewer make no outline and no fracture
 
 std::vector<ScanRef> refsOf(const std::vector<Scan>& scans, batch::Side side,
                             const std::string& photographs) {
@@ -25,7 +25,7 @@ std::vector<ScanRef> refsOf(const std::vector<Scan>& scans, batch::Side side,
 
 Scan made(std::string id, PointCloud cloud) {
   Scan scan{std::move(id), std::move(cloud), {}, Eigen::Vector3d::UnitZ()};
-  scan.rim = scan::findRim(scan.cloud, {.up = scan.up});
+  scan.fracture = scan::findFracture(scan.cloud, {.up = scan.up});
   return scan;
 }
 

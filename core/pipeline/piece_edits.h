@@ -14,7 +14,7 @@ struct EditedPieces {
 
 /// The Join and Split decisions among `standing` that are about this side, in their order. A joined
 /// piece keeps the first one's id; of a split piece the part on the left of the line from a to b
-/// keeps the id, the other gets the next free number. Rims are found anew. photographs: as in
+/// keeps the id, the other gets the next free number. Fractures are found anew. photographs: as in
 /// ScanRef, of this side.
 EditedPieces editedPieces(std::vector<scan::Scan> scans, batch::Side side,
                           const Decisions& standing, const std::string& photographs = {});

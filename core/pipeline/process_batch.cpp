@@ -213,7 +213,7 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   line.front = sherd.front->id;
   line.back = sherd.back->id;
   line.score = sherd.pair->score;
-  line.rim_rms_mm = sherd.pair->rim_rms_mm;
+  line.fracture_rms_mm = sherd.pair->fracture_rms_mm;
   line.uncertainty_mm = sherd.pair->uncertainty_mm;
   line.ambiguous = sherd.pair->ambiguous;
   line.decided_by = sherd.pair->decided_by;

@@ -41,12 +41,14 @@ struct ProcessOptions {
 struct SherdSummary {
   std::string number;  ///< "01": folder under OUT/sherds
   std::string front, back;
-  double score = 0, rim_rms_mm = 0, uncertainty_mm = 0;
+  double score = 0, fracture_rms_mm = 0, uncertainty_mm = 0;
   bool ambiguous = false;
   bool has_model = false;
   std::string decided_by;  ///< the person who settled this pair; empty: the program
   std::string remark;      ///< why a person must look, or what the model lacks; else empty
-  bool rimsCompared() const { return rim_rms_mm > 0; }  ///< false: the figure says nothing
+  bool fracturesCompared() const {
+    return fracture_rms_mm > 0;
+  }  ///< false: the figure says nothing
 };
 
 struct ProcessSummary {
@@ -79,8 +81,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
 
 /// The same from scans that were split already: ProcessOptions::batch holds them as PLY files in
 /// front/ and back/, one a sherd, oriented points, mm. Without photographs nothing is looked at but
-/// rims and outlines. Scans that stand on no plate are turned so that their face is up, and laid
-/// beside each other.
+/// fractures and outlines. Scans that stand on no plate are turned so that their face is up, and
+/// laid beside each other.
 Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& progress,
                                     std::stop_token stop);
 

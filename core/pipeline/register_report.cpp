@@ -92,8 +92,8 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
   }
   page +=
       "<p>Blue: front. Red: back. Left: seen from above; right: a slice of 1 mm through the "
-      "middle.</p><table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certain</th><th>Rim "
-      "RMS</th><th>Rim met</th><th>Within (95 %)</th><th>Remark</th><th>Both sides</th></tr>";
+      "middle.</p><table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certain</th><th>Fracture "
+      "RMS</th><th>Fracture met</th><th>Within (95 %)</th><th>Remark</th><th>Both sides</th></tr>";
   for (std::size_t i = 0; i < summary.pairs.size(); ++i) {
     const RegisterSummary::Pair& p = summary.pairs[i];
     const pairing::Decision& d = table.pairs[i].decision;
@@ -106,9 +106,9 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
     page += std::string("<tr") + (p.ambiguous ? " class=\"ask\"" : "") + "><td>" + p.number +
             "</td><td>" + markupText(p.front) + "</td><td>" + markupText(p.back) + "</td><td>" +
             fixed(100 * p.score, 2) + " %</td><td>" +
-            (p.rimsCompared() ? fixed(p.rim_rms_mm, 3) + " mm</td><td>" +
-                                    fixed(100 * p.rim_overlap, 0) + " %</td><td>"
-                              : std::string("–</td><td>–</td><td>")) +
+            (p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3) + " mm</td><td>" +
+                                         fixed(100 * p.fracture_overlap, 0) + " %</td><td>"
+                                   : std::string("–</td><td>–</td><td>")) +
             fixed(registration::within95_mm(p.uncertainty_mm), 2) + " mm</td><td>" +
             markupText(remark) + "</td><td>" +
             pictures(fronts[static_cast<std::size_t>(d.front)],
@@ -121,8 +121,8 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
 }  // namespace
 
 ordered_json toJson(const RegisterSummary::Pair& pair) {
-  const auto ofRims = [&](double figure) {
-    return pair.rimsCompared() ? ordered_json(figure) : ordered_json();
+  const auto ofFractures = [&](double figure) {
+    return pair.fracturesCompared() ? ordered_json(figure) : ordered_json();
   };
   return {{"number", pair.number},
           {"front", pair.front},
@@ -131,8 +131,8 @@ ordered_json toJson(const RegisterSummary::Pair& pair) {
           {"margin", pair.margin},
           {"ambiguous", pair.ambiguous},
           {"reason", pair.reason},
-          {"rim_rms_mm", ofRims(pair.rim_rms_mm)},
-          {"rim_overlap", ofRims(pair.rim_overlap)},
+          {"fracture_rms_mm", ofFractures(pair.fracture_rms_mm)},
+          {"fracture_overlap", ofFractures(pair.fracture_overlap)},
           {"uncertainty_mm", pair.uncertainty_mm}};
 }
 

@@ -19,7 +19,7 @@ Result<void> writeRegisterReport(const std::filesystem::path& output,
                                  std::span<const scan::Scan> fronts,
                                  std::span<const scan::Scan> backs, const std::string& inputs_hash);
 
-/// One row of the pair table, as in report.json; null where no rims were compared.
+/// One row of the pair table, as in report.json; null where no fractures were compared.
 nlohmann::ordered_json toJson(const RegisterSummary::Pair& pair);
 
 }  // namespace ostraka::pipeline

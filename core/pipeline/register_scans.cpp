@@ -19,7 +19,7 @@
 #include "pipeline/register_report.h"
 #include "pipeline/run_log.h"
 #include "pipeline/scan_folder.h"
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -58,8 +58,9 @@ RegisterSummary summaryOf(const PairTable& table, const ScanFolder& fronts,
     summary.pairs.push_back(
         {numberOf(i), fronts.scans[static_cast<std::size_t>(pair.decision.front)].id,
          backs.scans[static_cast<std::size_t>(pair.decision.back)].id, pair.decision.score,
-         pair.decision.margin, pair.registration.rim_rms_mm, pair.registration.rim_overlap,
-         pair.registration.uncertainty_mm, pair.decision.ambiguous, pair.decision.reason});
+         pair.decision.margin, pair.registration.fracture_rms_mm,
+         pair.registration.fracture_overlap, pair.registration.uncertainty_mm,
+         pair.decision.ambiguous, pair.decision.reason});
   }
   for (const int f : table.unpaired_front) {
     summary.unpaired_front.push_back(fronts.scans[static_cast<std::size_t>(f)].id);
@@ -88,7 +89,7 @@ std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double fact
 void bringBack(SherdPair& pair, double factor) {
   registration::Registration& found = pair.registration;
   found.front_from_back.translation() /= factor;
-  for (double* length : {&found.rim_rms_mm, &found.misfit_mm, &found.uncertainty_mm,
+  for (double* length : {&found.fracture_rms_mm, &found.misfit_mm, &found.uncertainty_mm,
                          &found.runner_up_mm, &found.thickness_mm, &pair.contour_rms_mm})
     *length /= factor;
 }

@@ -23,11 +23,11 @@ struct RegisterSummary {
   struct Pair {
     std::string number;  ///< "01": folder under OUT/sherds
     std::string front, back;
-    double score = 0, margin = 0, rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
+    double score = 0, margin = 0, fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
     bool ambiguous = false;
     std::string reason;  ///< why a person must look; empty otherwise
-    /// False: no rims to compare, and the figures above but the uncertainty say nothing.
-    bool rimsCompared() const { return rim_rms_mm > 0; }
+    /// False: no fractures to compare, and the figures above but the uncertainty say nothing.
+    bool fracturesCompared() const { return fracture_rms_mm > 0; }
   };
   std::vector<Pair> pairs;  ///< by front
   std::vector<std::string> unpaired_front, unpaired_back;

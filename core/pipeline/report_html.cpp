@@ -33,7 +33,7 @@ figure{margin:0}.sides{display:flex;gap:12px;flex-wrap:wrap}.sides figure{flex:1
 figcaption{color:#555;font-size:14px}
 )";
 
-// Blue and red as the rims in the paper; the dashes tell them apart without colours.
+// Blue and red as the fractures in the paper; the dashes tell them apart without colours.
 constexpr const char* kFrontStroke = "stroke=\"#0050c8\" stroke-width=\"1.5\"";
 constexpr const char* kBackStroke =
     "stroke=\"#c81e1e\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"";
@@ -239,16 +239,16 @@ std::string sherdSection(const ReportSherd& sherd) {
 std::string pairTable(const ReportInput& input) {
   std::string html =
       "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certainty</th><th>Margin</"
-      "th><th>Rim RMS mm</th><th>Rim met</th>"
+      "th><th>Fracture RMS mm</th><th>Fracture met</th>"
       "<th>Within mm (95 %)</th><th class=\"words\">Remark</th></tr>";
   for (const ReportSherd& sherd : input.sherds) {
     const DecidedPair& p = *sherd.pair;
     html += "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
             markupText(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
             fixed(p.margin, 2) + "</td><td>" +
-            (p.rimsCompared()
-                 ? fixed(p.rim_rms_mm, 3) + "</td><td>" + fixed(100 * p.rim_overlap, 0) + " %"
-                 : std::string("–</td><td>–")) +
+            (p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3) + "</td><td>" +
+                                         fixed(100 * p.fracture_overlap, 0) + " %"
+                                   : std::string("–</td><td>–")) +
             "</td><td>" + fixed(registration::within95_mm(p.uncertainty_mm), 2) +
             "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
             markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";

@@ -14,8 +14,8 @@ ordered_json reportJson(const ReportInput& input) {
   ordered_json sherds = ordered_json::array();
   for (const ReportSherd& sherd : input.sherds) {
     const DecidedPair& pair = *sherd.pair;
-    const auto ofRims = [&](double figure) {
-      return pair.rimsCompared() ? ordered_json(figure) : ordered_json();
+    const auto ofFractures = [&](double figure) {
+      return pair.fracturesCompared() ? ordered_json(figure) : ordered_json();
     };
     sherds.push_back({{"number", sherd.number},
                       {"front", sherd.front->id},
@@ -26,8 +26,8 @@ ordered_json reportJson(const ReportInput& input) {
                       {"reason", pair.reason},
                       {"decided_by", pair.decided_by},
                       {"decided_at", pair.decided_at},
-                      {"rim_rms_mm", ofRims(pair.rim_rms_mm)},
-                      {"rim_overlap", ofRims(pair.rim_overlap)},
+                      {"fracture_rms_mm", ofFractures(pair.fracture_rms_mm)},
+                      {"fracture_overlap", ofFractures(pair.fracture_overlap)},
                       {"uncertainty_mm", pair.uncertainty_mm},
                       {"figures", sherd.figures}});
   }

@@ -19,11 +19,11 @@ double valueOf(const Registration& r) {
   switch (r.slip) {
     case Slip::FacesCross:
       return r.crossing_share;
-    case Slip::NoSharedRim:
-      return r.rim_overlap;
-    case Slip::RimMisfits:
-      return r.rim_rms_mm;
-    case Slip::RimLoose:
+    case Slip::NoSharedFracture:
+      return r.fracture_overlap;
+    case Slip::FractureMisfits:
+      return r.fracture_rms_mm;
+    case Slip::FractureLoose:
       return r.uncertainty_mm;
     case Slip::RivalPlace:
       return r.runner_up_mm;
@@ -65,7 +65,7 @@ void nameRival(ReviewCard& card, const SherdPair& pair, const CandidateTable& ta
   else
     card.rival_front = rival.front;
   if (const RegisteredCandidate* c = table.find(rival.front, rival.back))
-    card.rival_rim_rms_mm = c->registration.rim_rms_mm;
+    card.rival_fracture_rms_mm = c->registration.fracture_rms_mm;
 }
 
 void pairUp(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
@@ -73,7 +73,7 @@ void pairUp(ReviewCard& card, const SherdPair& pair, const CandidateTable& table
   card.score = pair.decision.score;
   card.margin = pair.decision.margin;
   card.front_from_back = pair.registration.front_from_back;
-  card.rim_rms_mm = pair.registration.rim_rms_mm;
+  card.fracture_rms_mm = pair.registration.fracture_rms_mm;
   card.decision = pair.decided;
   card.decided_by = pair.decided_by;
   card.decided_at = pair.decided_at;
@@ -140,9 +140,9 @@ void readDecided(const std::filesystem::path& pairs_file, CandidateTable& table)
       if (done.front < 0 || done.back < 0 || !pose) continue;
       done.registration.front_from_back = *pose;
       done.registration.start = 0;
-      if (pair.at("rim_rms_mm").is_number())
-        done.registration.rim_rms_mm = numberAt(pair, "rim_rms_mm");
-      done.registration.rim_overlap = numberAt(pair, "rim_overlap");
+      if (pair.at("fracture_rms_mm").is_number())
+        done.registration.fracture_rms_mm = numberAt(pair, "fracture_rms_mm");
+      done.registration.fracture_overlap = numberAt(pair, "fracture_overlap");
       done.registration.uncertainty_mm = numberAt(pair, "uncertainty_mm");
       done.registration.slipped = pair.at("slipped").get<bool>();
       table.decided.push_back(std::move(done));
@@ -158,8 +158,8 @@ ReviewCandidate candidateOf(const RegisteredCandidate& c) {
   ReviewCandidate out;
   const Registration& r = c.registration;
   out.back = c.evidence.back;
-  out.rim_rms_mm = r.rim_rms_mm;
-  out.rim_overlap = r.rim_overlap;
+  out.fracture_rms_mm = r.fracture_rms_mm;
+  out.fracture_overlap = r.fracture_overlap;
   out.uncertainty_mm = r.uncertainty_mm;
   out.contour_rms_mm = c.start().contour_rms_mm;
   out.front_from_back = r.front_from_back;

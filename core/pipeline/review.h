@@ -17,11 +17,11 @@ enum class CardState {
   Reshoot
 };
 
-/// One back that may belong to a front, with its rims compared.
+/// One back that may belong to a front, with its fractures compared.
 struct ReviewCandidate {
   int back = 0;
   double score = 0;  ///< probability by the program, 0..1
-  double rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
+  double fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
   double contour_rms_mm = 0;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   int shift = 0;            ///< start point on the back's contour, of 200
@@ -36,8 +36,9 @@ struct ReviewCard {
   int front = 0;
   std::string number;  ///< of the sherd: "03"
   CardState state = CardState::Sure;
-  int back = -1;       ///< its partner as things stand
-  int candidate = -1;  ///< index of that partner below; -1: no rims were compared by the program
+  int back = -1;  ///< its partner as things stand
+  int candidate =
+      -1;  ///< index of that partner below; -1: no fractures were compared by the program
   double score = 0, margin = 0;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();  ///< as things stand
   std::vector<ReviewCandidate> candidates;                            ///< likeliest first
@@ -47,7 +48,7 @@ struct ReviewCard {
   double slip_value = 0;
   /// With Doubt::OtherPartner the rival: a back for this front, or a front for its back.
   int rival_back = -1, rival_front = -1;
-  double rim_rms_mm = 0, rival_rim_rms_mm = 0;
+  double fracture_rms_mm = 0, rival_fracture_rms_mm = 0;
 
   int decision = 0;  ///< number; 0: none
   std::string decided_by, decided_at;

@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "cloud/ply.h"
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 namespace ostraka::pipeline {
 namespace {

@@ -73,10 +73,10 @@ Vector3d PairFit::pivot(const Isometry3d& pose) const {
   return 0.5 * (front_.centre + pose * back_.centre);
 }
 
-RimFit PairFit::rim(const FittedPose& pose, bool fine, double radius, double robust,
-                    double sigma) const {
+FractureFit PairFit::fracture(const FittedPose& pose, bool fine, double radius, double robust,
+                              double sigma) const {
   const double spacing = fine ? spacing_mm_ : options_.strip.coarse_mm;
-  RimPairing pairing;
+  FracturePairing pairing;
   pairing.radius_mm = radius;
   pairing.min_cos = std::cos(options_.max_normal_angle_rad);
   pairing.robust_mm = robust;
@@ -85,8 +85,9 @@ RimFit PairFit::rim(const FittedPose& pose, bool fine, double radius, double rob
   const double usual = std::max(1.0, std::pow(kCorrelationMm / std::max(spacing, 0.05), 2));
   pairing.correlated = 2 * (fine ? std::max(usual, pose.alike) : usual);
   pairing.bias_mm = fine ? std::max(commonBias(sigma), kSink_px * contact_.grain_mm) : 0.02;
-  return fitRim(fine ? front_.fine : front_.coarse, fine ? back_.fine : back_.coarse, front_.up,
-                pose.front_from_back, pivot(pose.front_from_back), radius_mm_, pairing);
+  return fitFracture(fine ? front_.fine : front_.coarse, fine ? back_.fine : back_.coarse,
+                     front_.up, pose.front_from_back, pivot(pose.front_from_back), radius_mm_,
+                     pairing);
 }
 
 // One Gauss-Newton step on the gathered evidence; returns the RMS displacement in mm.
@@ -107,21 +108,21 @@ void PairFit::coarse(FittedPose& pose) const {
   for (const double r : {1.0, 0.85, 0.7, 0.58, 0.48, 0.4, 0.35, 0.33}) {
     const double radius = options_.first_radius_mm * r;
     const Vector3d at = pivot(pose.front_from_back);
-    pose.evidence = rim(pose, false, radius, radius, 0.3 * radius).evidence;
+    pose.evidence = fracture(pose, false, radius, radius, 0.3 * radius).evidence;
     pose.evidence +=
         contactEvidence(front_, back_, pose.front_from_back, at, constraints_.front_on_plate,
                         constraints_.back_on_plate, 0.2 * radius, contact_);
     pose.evidence += startEvidence(pose, at);
     solve(pose, at);
   }
-  pose.score = rim(pose, false, 1.2, 0.6, 0.3).spread;
+  pose.score = fracture(pose, false, 1.2, 0.6, 0.3).spread;
 }
 
 double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
                           double reach_px) const {
   const Vector3d at = pivot(pose.front_from_back);
   const double robust = std::max(0.12, std::min(radius, 3.0 * pose.sigma_mm));
-  const RimFit strip = rim(pose, true, radius, robust, pose.sigma_mm);
+  const FractureFit strip = fracture(pose, true, radius, robust, pose.sigma_mm);
   const auto rest = [&](bool on_front) {
     return contactEvidence(front_, back_, pose.front_from_back, at,
                            on_front && constraints_.front_on_plate,
@@ -143,16 +144,16 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConst
   pose.evidence = together(pose.constraints);
   // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
   pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);
-  pose.rim = strip;
+  pose.fracture = strip;
   return solve(pose, at);
 }
 
 void PairFit::judge(FittedPose& pose) const {
-  const RimFit whole = rim(pose, true, 1.0, 0.5, std::max(0.03, pose.sigma_mm));
+  const FractureFit whole = fracture(pose, true, 1.0, 0.5, std::max(0.03, pose.sigma_mm));
   pose.score = whole.spread;
-  pose.rim.rms_mm = whole.rms_mm;
-  pose.rim.overlap = whole.overlap;
-  pose.rim.pairs = whole.pairs;
+  pose.fracture.rms_mm = whole.rms_mm;
+  pose.fracture.overlap = whole.overlap;
+  pose.fracture.pairs = whole.pairs;
 }
 
 void PairFit::fine(FittedPose& pose) const {
@@ -187,7 +188,7 @@ Matrix6 PairFit::stripStiffness(const FittedPose& pose) const {
   constexpr double kOffMm = 0.05;  // of the size of the errors
   const double robust = std::max(0.12, std::min(last_radius_mm_, 3.0 * pose.sigma_mm));
   const auto said = [&](const FittedPose& at) {
-    return rim(at, true, last_radius_mm_, robust, pose.sigma_mm).evidence;
+    return fracture(at, true, last_radius_mm_, robust, pose.sigma_mm).evidence;
   };
   const Evidence here = said(pose);
   Matrix6 stiffness;

@@ -4,9 +4,9 @@
 
 #include "registration/constraint.h"
 #include "registration/contact.h"
+#include "registration/fracture_icp.h"
 #include "registration/outline.h"
 #include "registration/register_sides.h"
-#include "registration/rim_icp.h"
 #include "registration/silhouettes.h"
 
 namespace ostraka::registration {
@@ -16,8 +16,8 @@ struct FittedPose {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d begun = Eigen::Isometry3d::Identity();
   int start = -1;
-  RimFit rim;         ///< rms and overlap within 1 mm once fine() has run
-  Evidence evidence;  ///< of all constraints together
+  FractureFit fracture;  ///< rms and overlap within 1 mm once fine() has run
+  Evidence evidence;     ///< of all constraints together
   /// Strip, rest of the back, rest of the front, outline, photographs, colours of the fracture.
   std::array<Constraint, 6> constraints;
   double sigma_mm = 0.15;  ///< of one pair of strip points
@@ -53,7 +53,8 @@ class PairFit {
 
  private:
   double solve(FittedPose& pose, const Eigen::Vector3d& at) const;
-  RimFit rim(const FittedPose& pose, bool fine, double radius, double robust, double sigma) const;
+  FractureFit fracture(const FittedPose& pose, bool fine, double radius, double robust,
+                       double sigma) const;
   double fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
                    double reach_px) const;
   void judge(FittedPose& pose) const;

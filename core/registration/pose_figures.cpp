@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "registration/rim_icp.h"
+#include "registration/fracture_icp.h"
 #include "registration/self_check.h"
 
 namespace ostraka::registration {
@@ -18,7 +18,7 @@ constexpr float kSameFaceCos = 0.7071f;  // beyond 45 degrees it is another face
 void addDistances(const StripLevel& asked, const StripLevel& other,
                   const Eigen::Isometry3f& other_from_asked,
                   const Eigen::Isometry3f& front_from_asked, float reach_mm, float sign,
-                  std::vector<RimDistance>& found) {
+                  std::vector<FractureDistance>& found) {
   for (std::size_t i = 0; i < asked.points.size(); ++i) {
     const Vector3f p = other_from_asked * asked.points[i];
     const Neighbour near = other.tree.nearest(p, reach_mm);
@@ -35,18 +35,19 @@ void addDistances(const StripLevel& asked, const StripLevel& other,
 
 PoseFigures figuresAt(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back) {
-  RimPairing pairing;  // within 1 mm, as a finished registration is judged
+  FracturePairing pairing;  // within 1 mm, as a finished registration is judged
   pairing.robust_mm = 0.5;
   const Eigen::Vector3d pivot = 0.5 * (front.centre + front_from_back * back.centre);
-  const RimFit rim = fitRim(front.fine, back.fine, front.up, front_from_back, pivot,
-                            0.5 * (front.radius_mm + back.radius_mm), pairing);
+  const FractureFit fracture = fitFracture(front.fine, back.fine, front.up, front_from_back, pivot,
+                                           0.5 * (front.radius_mm + back.radius_mm), pairing);
   const Thickness wall = thicknessOf(front, back, front_from_back);
-  return {rim.rms_mm, rim.overlap, wall.crossing_share, wall.median_mm};
+  return {fracture.rms_mm, fracture.overlap, wall.crossing_share, wall.median_mm};
 }
 
-std::vector<RimDistance> rimDistances(const Strip& front, const Strip& back,
-                                      const Eigen::Isometry3d& front_from_back, double reach_mm) {
-  std::vector<RimDistance> found;
+std::vector<FractureDistance> fractureDistances(const Strip& front, const Strip& back,
+                                                const Eigen::Isometry3d& front_from_back,
+                                                double reach_mm) {
+  std::vector<FractureDistance> found;
   const Eigen::Isometry3f to_front = front_from_back.cast<float>();
   const float reach = static_cast<float>(reach_mm);
   addDistances(front.fine, back.fine, to_front.inverse(), Eigen::Isometry3f::Identity(), reach, -1,

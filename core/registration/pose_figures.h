@@ -8,8 +8,8 @@ namespace ostraka::registration {
 
 /// How well two sides fit at a pose, which nothing moves: for poses made by hand.
 struct PoseFigures {
-  double rim_rms_mm = 0;  ///< as Registration::rim_rms_mm; 0 where no points meet
-  double rim_overlap = 0;
+  double fracture_rms_mm = 0;  ///< as Registration::fracture_rms_mm; 0 where no points meet
+  double fracture_overlap = 0;
   double crossing_share = 0;
   double thickness_mm = 0;
 };
@@ -18,14 +18,15 @@ struct PoseFigures {
 PoseFigures figuresAt(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back);
 
-/// One point of the rim and how far the sides' surfaces lie apart there.
-struct RimDistance {
+/// One point of the fracture and how far the sides' surfaces lie apart there.
+struct FractureDistance {
   Eigen::Vector3f point = Eigen::Vector3f::Zero();  ///< front's frame, mm
   float distance_mm = 0;  ///< along the normals, positive: the back outside the front
 };
 
 /// Both strips' points that meet the other side within reach_mm with normals within 45 degrees.
-std::vector<RimDistance> rimDistances(const Strip& front, const Strip& back,
-                                      const Eigen::Isometry3d& front_from_back, double reach_mm);
+std::vector<FractureDistance> fractureDistances(const Strip& front, const Strip& back,
+                                                const Eigen::Isometry3d& front_from_back,
+                                                double reach_mm);
 
 }  // namespace ostraka::registration

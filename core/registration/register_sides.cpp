@@ -60,10 +60,10 @@ std::vector<FittedPose> distinct(std::vector<FittedPose> poses, const PairFit& p
   return kept;
 }
 
-// Turned about the viewer's axis so that the rim slides by +-1.5 and +-3 mm: a false valley of the
-// relief lies about a wavelength of it away.
-std::vector<FittedPose> alongTheRim(const FittedPose& best, const PairFit& pair,
-                                    const Strip& front) {
+// Turned about the viewer's axis so that the fracture slides by +-1.5 and +-3 mm: a false valley of
+// the relief lies about a wavelength of it away.
+std::vector<FittedPose> alongTheFracture(const FittedPose& best, const PairFit& pair,
+                                         const Strip& front) {
   std::vector<FittedPose> poses;
   const Vector3d at = pair.pivot(best.front_from_back);
   for (const double slide_mm : {1.5, -1.5, 3.0, -3.0}) {
@@ -77,29 +77,29 @@ std::vector<FittedPose> alongTheRim(const FittedPose& best, const PairFit& pair,
   return poses;
 }
 
-double rimsAreOne(const FittedPose& pose, const Strip& front, const Strip& back) {
-  return rimLogLikelihood(pose.rim.rms_mm, std::hypot(front.noise_mm, back.noise_mm),
-                          pose.rim.pairs);
+double fracturesAreOne(const FittedPose& pose, const Strip& front, const Strip& back) {
+  return fractureLogLikelihood(pose.fracture.rms_mm, std::hypot(front.noise_mm, back.noise_mm),
+                               pose.fracture.pairs);
 }
 
 Registration reported(const FittedPose& best, const PairFit& pair, const Strip& front,
                       const Strip& back) {
   Registration found;
   found.front_from_back = best.front_from_back;
-  found.rim_rms_mm = best.rim.rms_mm;
-  found.rim_overlap = best.rim.overlap;
+  found.fracture_rms_mm = best.fracture.rms_mm;
+  found.fracture_overlap = best.fracture.overlap;
   const Matrix6 covariance = pair.covariance(best);
   found.information = covariance.inverse();
   found.pivot = pair.pivot(best.front_from_back);
   found.uncertainty_mm = pair.uncertainty(covariance);
   found.start = best.start;
-  found.log_likelihood = rimsAreOne(best, front, back);
+  found.log_likelihood = fracturesAreOne(best, front, back);
   found.runner_up_gap = 1e9;
   return found;
 }
 
 // The likelihood of a pose of the same pair, for comparing poses: points that do not fit cost as
-// Tukey's weight has it, and 30 or so places along a rim are independent.
+// Tukey's weight has it, and 30 or so places along a fracture are independent.
 double poseGap(const FittedPose& best, const FittedPose& other) {
   return 30.0 * std::log(std::max(other.score, 1e-6) / std::max(best.score, 1e-6));
 }
@@ -162,9 +162,9 @@ Result<Registration> byBoundaries(const Strip& front, const Strip& back,
   Registration found;
   found.front_from_back = best->front_from_back;
   found.scale = best->scale;
-  found.rim_rms_mm = best->rms_mm;
+  found.fracture_rms_mm = best->rms_mm;
   found.start = best_start;
-  found.rim_overlap = 1;
+  found.fracture_overlap = 1;
   found.runner_up_gap = 1e9;
   found.uncertainty_mm = 0.1;  // the method's own median error on clean scans; it knows no better
   return found;
@@ -212,7 +212,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   std::stable_sort(survivors.begin(), survivors.end(), better);
   FittedPose best = survivors.front();
 
-  std::vector<FittedPose> rivals = alongTheRim(best, pair, front);
+  std::vector<FittedPose> rivals = alongTheFracture(best, pair, front);
   each(rivals, &PairFit::coarse);
   rivals = distinct(std::move(rivals), pair, options.max_survivors);
   std::erase_if(rivals, [&](const FittedPose& rival) {
@@ -225,7 +225,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   best = likeliest(rivals, front, back);
 
   pair.weighed(best);
-  const bool hopeless = rimsAreOne(best, front, back) < kNoPairLogLikelihood;
+  const bool hopeless = fracturesAreOne(best, front, back) < kNoPairLogLikelihood;
   const bool rivalled = std::any_of(rivals.begin(), rivals.end(), [&](const FittedPose& rival) {
     return pair.distance(rival.front_from_back, best.front_from_back) > kRivalMm &&
            poseGap(best, rival) < kRivalGap;

@@ -48,24 +48,24 @@ struct RegistrationOptions {
 /// Why a pose must not be believed, for programs; `reason` says it to people.
 enum class Slip {
   None,
-  UpsideDown,    ///< both sides face the same way
-  FacesCross,    ///< crossing_share
-  NoSharedRim,   ///< rim_overlap
-  RimMisfits,    ///< rim_rms_mm
-  RimLoose,      ///< uncertainty_mm
-  RivalPlace,    ///< runner_up_mm
-  OutlinesAlone  ///< the rims could not be compared
+  UpsideDown,        ///< both sides face the same way
+  FacesCross,        ///< crossing_share
+  NoSharedFracture,  ///< fracture_overlap
+  FractureMisfits,   ///< fracture_rms_mm
+  FractureLoose,     ///< uncertainty_mm
+  RivalPlace,        ///< runner_up_mm
+  OutlinesAlone      ///< the fractures could not be compared
 };
 
 /// Where the back belongs, and how far that can be trusted.
 struct Registration {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  double scale = 1;           ///< front size / back size; 1 unless Scale::Free
-  double rim_rms_mm = 0;      ///< normal-checked closest pairs of the strips, point to plane
-  double rim_overlap = 0;     ///< share of the strip points in reach that have a partner
-  double misfit_mm = 0;       ///< how far the breaks differ, noise averaged away; 0: nothing met
-  double misfit_places = 0;   ///< independent places that misfit_mm comes from
-  double log_likelihood = 0;  ///< of the rims being one against being two similar rims
+  double scale = 1;             ///< front size / back size; 1 unless Scale::Free
+  double fracture_rms_mm = 0;   ///< normal-checked closest pairs of the strips, point to plane
+  double fracture_overlap = 0;  ///< share of the strip points in reach that have a partner
+  double misfit_mm = 0;         ///< how far the breaks differ, noise averaged away; 0: nothing met
+  double misfit_places = 0;     ///< independent places that misfit_mm comes from
+  double log_likelihood = 0;    ///< of the fractures being one against being two similar fractures
   /// Of front_from_back, for a small turn (rad) then shift (mm) in the front's frame about the
   /// strip's centre `pivot`; inverse covariance.
   Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
@@ -82,10 +82,10 @@ struct Registration {
 };
 
 /// Registers two scans that show the two sides of one sherd, from rough start poses (within about
-/// 3 mm along the rim and in height, and 5 degrees; where the contour does not tell how far the
-/// back is turned, the colours of the strips do, from any turn). The strips need normals. Errors:
-/// Cancelled, UnusableInput (options), NotEnough (no start, strip too small). About 0.3 s a pair, 1
-/// thread.
+/// 3 mm along the fracture and in height, and 5 degrees; where the contour does not tell how far
+/// the back is turned, the colours of the strips do, from any turn). The strips need normals.
+/// Errors: Cancelled, UnusableInput (options), NotEnough (no start, strip too small). About 0.3 s a
+/// pair, 1 thread.
 Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
                                    std::span<const Eigen::Isometry3d> front_from_back_starts,
                                    const Constraints& constraints,

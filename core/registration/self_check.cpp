@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kLargestRmsMm = 0.60;     // twice the worst true pair of fat stereo strips
-constexpr double kSmallestOverlap = 0.02;  // below it the rims were not seen from both sides
+constexpr double kSmallestOverlap = 0.02;  // below it the fractures were not seen from both sides
 constexpr double kLittleOverlap = 0.20;    // of whole scans 0.6 and more meets
 constexpr double kLargestCrossing = 0.10;  // faces may touch at feathered edges only
 constexpr float kFace = 0.8f;              // within 37 degrees of the viewer: face, no broken edge
@@ -63,16 +63,16 @@ Thickness thicknessOf(const Strip& front, const Strip& back,
   return thickness;
 }
 
-double rimLogLikelihood(double rim_rms_mm, double noise_mm, int pairs) {
+double fractureLogLikelihood(double fracture_rms_mm, double noise_mm, int pairs) {
   // Of one break: up to 0.17 mm on clean scans (0.13 here). Of two: 0.31-0.42, 0.36 in the middle.
   // Fat strips of photographs reach 0.25-0.32 though they are of one break, and nothing in a single
-  // scan tells them (their noise is smooth): in between the rims must stay silent.
+  // scan tells them (their noise is smooth): in between the fractures must stay silent.
   const double same = std::max(0.17, 1.1 * noise_mm);
   const double other = std::hypot(0.36, same - 0.17);
   constexpr double kSpread = 0.30;  // of the RMS' logarithm from sherd to sherd
-  const double above = std::max(0.0, std::log(std::max(rim_rms_mm, 1e-3) / same) / kSpread);
-  const double below = std::min(0.0, std::log(std::max(rim_rms_mm, 1e-3) / other) / kSpread);
-  // Few pairs say little; 200 stand for a rim of some 30 independent places.
+  const double above = std::max(0.0, std::log(std::max(fracture_rms_mm, 1e-3) / same) / kSpread);
+  const double below = std::min(0.0, std::log(std::max(fracture_rms_mm, 1e-3) / other) / kSpread);
+  // Few pairs say little; 200 stand for a fracture of some 30 independent places.
   return std::clamp(0.5 * (below * below - above * above) * std::min(1.0, pairs / 200.0), -12.0,
                     8.0);
 }
@@ -92,19 +92,21 @@ void judgeRegistration(const Strip& front, const Strip& back, Registration& foun
   else if (wall.compared > 20 && wall.crossing_share > kLargestCrossing)
     slip(Slip::FacesCross, sentence("The faces cross: %.0f %% of the front lies behind the back.",
                                     100 * wall.crossing_share));
-  else if (found.rim_overlap < kSmallestOverlap)
-    slip(Slip::NoSharedRim, "The two scans share almost no broken edge; outlines alone tie them.");
-  else if (found.rim_overlap < kLittleOverlap)
-    slip(Slip::NoSharedRim,
-         sentence("The two scans share only %.0f %% of the broken edge.", 100 * found.rim_overlap));
-  else if (found.rim_rms_mm > kLargestRmsMm)
-    slip(Slip::RimMisfits, sentence("The broken edges do not fit: %.2f mm RMS.", found.rim_rms_mm));
+  else if (found.fracture_overlap < kSmallestOverlap)
+    slip(Slip::NoSharedFracture,
+         "The two scans share almost no broken edge; outlines alone tie them.");
+  else if (found.fracture_overlap < kLittleOverlap)
+    slip(Slip::NoSharedFracture, sentence("The two scans share only %.0f %% of the broken edge.",
+                                          100 * found.fracture_overlap));
+  else if (found.fracture_rms_mm > kLargestRmsMm)
+    slip(Slip::FractureMisfits,
+         sentence("The broken edges do not fit: %.2f mm RMS.", found.fracture_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)
-    slip(Slip::RimLoose,
-         sentence("The rim hardly fixes the pose: uncertain by %.2f mm.", found.uncertainty_mm));
+    slip(Slip::FractureLoose, sentence("The fracture hardly fixes the pose: uncertain by %.2f mm.",
+                                       found.uncertainty_mm));
   else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
     slip(Slip::RivalPlace,
-         sentence("A place %.1f mm along the rim fits nearly as well.", found.runner_up_mm));
+         sentence("A place %.1f mm along the fracture fits nearly as well.", found.runner_up_mm));
 }
 
 }  // namespace ostraka::registration

@@ -166,9 +166,10 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
     offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
   }
   if (strip.fine.points.size() < 50)
-    return Error{ErrorCode::NotEnough,
-                 "Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.",
-                 scan.id};
+    return Error{
+        ErrorCode::NotEnough,
+        "Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.",
+        scan.id};
   strip.noise_mm = 1.4826 * medianOf(offsets);
   strip.fine.tree = KdTree(strip.fine.points);
   strip.fine.colours = colourDetail(strip.fine.points, strip.fine.normals, colours, strip.fine.tree,

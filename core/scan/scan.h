@@ -10,9 +10,10 @@ namespace ostraka::scan {
 
 /// One sherd seen from one side.
 struct Scan {
-  std::string id;                 ///< f001, b003 ... or the file's name without ending
-  PointCloud cloud;               ///< mm, in its side's plate frame (or the scanner's own frame)
-  std::vector<std::uint8_t> rim;  ///< per point: 1 = on the strip of broken edge; empty = not known
+  std::string id;    ///< f001, b003 ... or the file's name without ending
+  PointCloud cloud;  ///< mm, in its side's plate frame (or the scanner's own frame)
+  std::vector<std::uint8_t>
+      fracture;  ///< per point: 1 = on the strip of broken edge; empty = not known
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, towards the viewer, frame of the cloud
 };
 

@@ -10,8 +10,8 @@
 #include "base/plate_order.h"
 #include "cloud/nearest.h"
 #include "scan/footprint.h"
+#include "scan/fracture.h"
 #include "scan/outlines.h"
-#include "scan/rim.h"
 #include "scan/touching.h"
 
 namespace ostraka::scan {
@@ -304,7 +304,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
     char number[32];
     std::snprintf(number, sizeof number, "%c%03zu", side == batch::Side::Front ? 'f' : 'b', i + 1);
     result.scans[i].id = number;
-    result.scans[i].rim = findRim(result.scans[i].cloud, {.up = result.scans[i].up});
+    result.scans[i].fracture = findFracture(result.scans[i].cloud, {.up = result.scans[i].up});
   }
   progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +
                                      " sherds on the " + batch::name(side) + " side, " +

@@ -36,7 +36,7 @@ struct SplitOptions {
 };
 
 struct SplitResult {
-  std::vector<Scan> scans;  ///< f001 ... or b001 ..., by rows from far (+y) to near, rim found
+  std::vector<Scan> scans;  ///< f001 ... or b001 ..., by rows from far (+y) to near, fracture found
   std::vector<std::string> warnings;  ///< whole sentences with places on the plate in mm
   /// With Lengths::Relative: the sentences about what was left out and, its true size unknown, may
   /// be a sherd.

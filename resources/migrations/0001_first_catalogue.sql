@@ -130,7 +130,7 @@ CREATE TABLE pair_decision (
   person INTEGER REFERENCES person, batch INTEGER NOT NULL REFERENCES batch,
   front INTEGER REFERENCES scan, back INTEGER REFERENCES scan,
   front_from_back TEXT NOT NULL DEFAULT '', score REAL, margin REAL,
-  ambiguous INTEGER NOT NULL DEFAULT 0, rim_rms_mm REAL, rim_overlap REAL,
+  ambiguous INTEGER NOT NULL DEFAULT 0, fracture_rms_mm REAL, fracture_overlap REAL,
   verdict TEXT NOT NULL CHECK (verdict IN ('accept', 'reject', 'aside', 'reshoot', 'withdraw')),
   replaces INTEGER REFERENCES pair_decision, note TEXT NOT NULL DEFAULT '',
   CHECK (verdict NOT IN ('accept', 'reject') OR (front IS NOT NULL AND back IS NOT NULL)),

@@ -16,7 +16,7 @@
 #include "cloud/ply.h"
 #include "pairing/assignment.h"
 #include "pairing/candidates.h"
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 namespace {
 

@@ -105,7 +105,7 @@ std::vector<Pair> readPairs(const std::filesystem::path& set) {
   return pairs;
 }
 
-// Small errors as the pairing's start poses have them: along the rim, tilt, height.
+// Small errors as the pairing's start poses have them: along the fracture, tilt, height.
 Isometry3d disturbed(const Isometry3d& truth, const PointCloud& back, std::mt19937_64& random) {
   const auto uniform = [&random](double limit) {
     return limit * (2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1.0);
@@ -168,10 +168,11 @@ double percentile(std::vector<double> values, double share) {
 void printRow(const std::string& set, const Pair& pair, const Row& row) {
   const auto& f = row.found;
   std::printf(
-      "%-12s %s %s %s rms %.3f (height %.3f) rim %.3f overlap %.2f LL %7.1f sigma %.3f gap %.1f at "
+      "%-12s %s %s %s rms %.3f (height %.3f) fracture %.3f overlap %.2f LL %7.1f sigma %.3f gap "
+      "%.1f at "
       "%.2f cross %.3f wall %.2f%s %.2f s %s\n",
       set.c_str(), pair.is_true ? "true " : "FALSE", pair.front.substr(6, 4).c_str(),
-      pair.back.substr(5, 4).c_str(), row.rms, row.height, f.rim_rms_mm, f.rim_overlap,
+      pair.back.substr(5, 4).c_str(), row.rms, row.height, f.fracture_rms_mm, f.fracture_overlap,
       f.log_likelihood, f.uncertainty_mm, std::min(f.runner_up_gap, 999.0), f.runner_up_mm,
       f.crossing_share, f.thickness_mm, f.slipped ? " SLIPPED" : "", row.seconds, f.reason.c_str());
 }
@@ -205,7 +206,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
       for (std::size_t j = 0; j < true_count; ++j)
         if (i != j && pairs[i].group >= 0 && pairs[i].group == pairs[j].group)
           pairs.push_back({pairs[i].front, pairs[j].back, pairs[i].truth, pairs[i].group, false});
-  std::vector<double> rms, rim_true, rim_false, seconds, ratio;
+  std::vector<double> rms, fracture_true, fracture_false, seconds, ratio;
   int slipped = 0, bad_unflagged = 0;
   std::mt19937_64 random(1);
   const Views views = readViews(arguments.batch);
@@ -241,7 +242,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
     row.found = *found;
     measure(pair, back.cloud, row);
     if (arguments.rows) printRow(set, pair, row);
-    (pair.is_true ? rim_true : rim_false).push_back(row.found.rim_rms_mm);
+    (pair.is_true ? fracture_true : fracture_false).push_back(row.found.fracture_rms_mm);
     if (!pair.is_true) continue;
     rms.push_back(row.rms);
     seconds.push_back(row.seconds);
@@ -253,8 +254,9 @@ void runSet(const Arguments& arguments, const std::string& set) {
   std::printf(
       "| %s | %zu | %.3f | %.3f | %.3f | %ld | %.3f | %.3f | %d | %d | %.2f | %.2f | %.2f |\n",
       set.c_str(), rms.size(), percentile(rms, 0.5), percentile(rms, 0.95), percentile(rms, 1),
-      static_cast<long>(share), percentile(rim_true, 1), percentile(rim_false, 0), slipped,
-      bad_unflagged, percentile(ratio, 0.5), percentile(ratio, 0.95), percentile(seconds, 0.5));
+      static_cast<long>(share), percentile(fracture_true, 1), percentile(fracture_false, 0),
+      slipped, bad_unflagged, percentile(ratio, 0.5), percentile(ratio, 0.95),
+      percentile(seconds, 0.5));
   std::fflush(stdout);
 }
 
@@ -290,7 +292,8 @@ int main(int argc, char** argv) {
     if (word == "--starts" && i + 1 < argc) arguments.starts = std::stoi(argv[++i]);
   }
   std::printf(
-      "| set | pairs | rms median | 95 %% | worst | <= 0.10 | rim true max | rim false min | "
+      "| set | pairs | rms median | 95 %% | worst | <= 0.10 | fracture true max | fracture false "
+      "min | "
       "slipped "
       "| > 0.40 unflagged | rms/sigma median | 95 %% | CPU s |\n");
   for (const auto& set : arguments.sets) runSet(arguments, set);

@@ -22,9 +22,9 @@
 #include "registration/break_misfit.h"
 #include "registration/contact.h"
 #include "registration/fracture_colour.h"
+#include "registration/fracture_icp.h"
 #include "registration/outline.h"
 #include "registration/register_sides.h"
-#include "registration/rim_icp.h"
 #include "registration/silhouettes.h"
 
 namespace {
@@ -101,23 +101,24 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
   const double radius = 0.5 * (front.radius_mm + back.radius_mm);
   const double spacing = std::max(front.spacing_mm, back.spacing_mm);
   const reg::BreakMisfit misfit = reg::breakMisfit(front, back, truth);
-  reg::RimPairing pairing;
+  reg::FracturePairing pairing;
   const double noise = std::max(front.noise_mm, back.noise_mm);
   pairing.radius_mm = std::max({0.35, 4.0 * noise, 0.9 * spacing});
   pairing.robust_mm = pairing.radius_mm;
-  reg::RimFit rim = reg::fitRim(front.fine, back.fine, front.up, truth, pivot, radius, pairing);
-  pairing.sigma_mm = std::clamp(rim.sigma_mm, 0.02, 0.3);
+  reg::FractureFit fracture =
+      reg::fitFracture(front.fine, back.fine, front.up, truth, pivot, radius, pairing);
+  pairing.sigma_mm = std::clamp(fracture.sigma_mm, 0.02, 0.3);
   pairing.robust_mm = std::max(0.12, std::min(pairing.radius_mm, 3 * pairing.sigma_mm));
   pairing.correlated =
       2 * std::max({1.0, std::pow(0.9 / std::max(spacing, 0.05), 2), misfit.alike});
   pairing.bias_mm = std::clamp(0.015 * std::pow(pairing.sigma_mm / 0.1, 6), 0.004, 0.5);
-  rim = reg::fitRim(front.fine, back.fine, front.up, truth, pivot, radius, pairing);
+  fracture = reg::fitFracture(front.fine, back.fine, front.up, truth, pivot, radius, pairing);
   std::printf(
       "      noise %.3f %.3f spacing %.3f strip sigma %.3f pairs %d alike %.1f overlap %.2f "
       "radius %.1f points %zu %zu\n",
-      front.noise_mm, back.noise_mm, spacing, rim.sigma_mm, rim.pairs, misfit.alike, rim.overlap,
-      radius, front.fine.points.size(), back.fine.points.size());
-  printConstraint("strip", rim.evidence, radius);
+      front.noise_mm, back.noise_mm, spacing, fracture.sigma_mm, fracture.pairs, misfit.alike,
+      fracture.overlap, radius, front.fine.points.size(), back.fine.points.size());
+  printConstraint("strip", fracture.evidence, radius);
   const auto colours = reg::fitColours(front.fine, back.fine, truth, pivot, {});
   std::printf("      colours %d pairs, correlation %.2f %.2f %.2f\n", colours.pairs,
               colours.correlation[0], colours.correlation[1], colours.correlation[2]);
@@ -202,13 +203,13 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
     const Vector3d tilt = 1e3 * turn.angle() * turn.axis();
     std::printf(
         "%-32s %s %s sherd %zu rms %.3f stated %.3f ratio %.2f | shift %+.3f %+.3f %+.3f "
-        "tilt mrad %+.1f %+.1f %+.1f | rim %.3f overlap %.2f misfit %.3f %s\n",
+        "tilt mrad %+.1f %+.1f %+.1f | fracture %.3f overlap %.2f misfit %.3f %s\n",
         out.parent_path().filename().c_str(),
         table->fronts[static_cast<std::size_t>(c.evidence.front)].id.c_str(),
         table->backs[static_cast<std::size_t>(c.evidence.back)].id.c_str(), f, rms,
         found->uncertainty_mm, rms / found->uncertainty_mm, shift.x(), shift.y(), shift.z(),
-        tilt.x(), tilt.y(), tilt.z(), found->rim_rms_mm, found->rim_overlap, found->misfit_mm,
-        found->reason.c_str());
+        tilt.x(), tilt.y(), tilt.z(), found->fracture_rms_mm, found->fracture_overlap,
+        found->misfit_mm, found->reason.c_str());
     if (explain) printConstraints(t, constraints, *front_strip, *back_strip);
     std::fflush(stdout);
     ratios.error.push_back(rms);

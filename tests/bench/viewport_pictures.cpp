@@ -49,7 +49,7 @@ struct Studio {
 };
 
 ShownScan shown(const pipeline::ScanCloud& scan) {
-  return {scan.cloud, scan.rim};
+  return {scan.cloud, scan.fracture};
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
   if (candidates.empty()) return std::fputs("no pair\n", stderr), 1;
   const auto best =
       std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-        return a.registration.rim_overlap < b.registration.rim_overlap;
+        return a.registration.fracture_overlap < b.registration.fracture_overlap;
       });
   const int front_scan = best->evidence.front, back_scan = best->evidence.back;
   const Eigen::Isometry3d pose = best->registration.front_from_back;
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   ShownDistances distances;
   const Result<pipeline::PairView> pair = (*live)->view(front_scan, back_scan, pose);
   if (!pair) return std::fprintf(stderr, "%s\n", pair.error().what.c_str()), 1;
-  for (const registration::RimDistance& d : pair->rim) {
+  for (const registration::FractureDistance& d : pair->fracture) {
     distances.points.push_back(d.point);
     distances.distance_mm.push_back(d.distance_mm);
   }

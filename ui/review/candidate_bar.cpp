@@ -71,10 +71,12 @@ void CandidateBar::write(int i) {
   const pipeline::ReviewCandidate& c = model_.candidates()[static_cast<std::size_t>(i)];
   const pipeline::CandidateTable& table = model_.live()->table();
   const bool tried = i == model_.chosen() && model_.trial().made != Made::Program;
-  const double rim = !tried ? c.rim_rms_mm : model_.isMeasured() ? model_.fit().rim_rms_mm : 0;
+  const double fracture = !tried                ? c.fracture_rms_mm
+                          : model_.isMeasured() ? model_.fit().fracture_rms_mm
+                                                : 0;
   const QString back = nameOf(table.backs, c.back);
   const QString score = tried ? madeWord(model_.trial().made) : scoreWords(c.score);
-  QString second = rim > 0 ? tr("gap %1").arg(mm(rim)) : tr("no contact");
+  QString second = fracture > 0 ? tr("gap %1").arg(mm(fracture)) : tr("no contact");
   const int holder = model_.holderOf(c.back);
   if (holder >= 0 && holder != model_.front())
     second = tr("%1, with %2").arg(second, nameOf(table.fronts, holder));

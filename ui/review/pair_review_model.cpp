@@ -194,9 +194,9 @@ bool PairReviewModel::isMeasured() const {
 QString PairReviewModel::figuresText() const {
   if (trial_.back < 0) return tr("No back is chosen.");
   if (trial_.front < 0) return tr("This back has no partner.");
-  if (!(fit_.rim_rms_mm > 0)) return tr("The fractures do not touch here.");
+  if (!(fit_.fracture_rms_mm > 0)) return tr("The fractures do not touch here.");
   QString text = tr("Fractures %1 apart, %2 of them touch.")
-                     .arg(mm(fit_.rim_rms_mm), percent(fit_.rim_overlap));
+                     .arg(mm(fit_.fracture_rms_mm), percent(fit_.fracture_overlap));
   if (trial_.made == Made::ByHand) text += " " + tr("Turned by hand; B refines the fit.");
   if (trial_.made == Made::StartPoint)
     text += " " + tr("Start point %1; B refines the fit.").arg(trial_.shift);
@@ -368,15 +368,15 @@ void PairReviewModel::accept() {
   decision.scans.push_back(backRef(trial_.back));
   decision.front_from_back = trial_.front_from_back;
   decision.settle =
-      trial_.made == Made::ByHand ? pipeline::Settle::AsGiven : pipeline::Settle::ByRims;
+      trial_.made == Made::ByHand ? pipeline::Settle::AsGiven : pipeline::Settle::ByFractures;
   const QString front = inHand(), back = nameOf(backRef(trial_.back));
-  const pipeline::LiveFit fit = isMeasured() ? fit_ : pipeline::LiveFit{.rim_overlap = 1};
+  const pipeline::LiveFit fit = isMeasured() ? fit_ : pipeline::LiveFit{.fracture_overlap = 1};
   const std::size_t before = decisions_.size();
   decide(decision, tr("pair %1 – %2").arg(front, back));
   if (decisions_.size() > before && fit.hardlyMeets())
     emit failed(
         tr("Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.")
-            .arg(front, back, percent(fit.rim_overlap)));
+            .arg(front, back, percent(fit.fracture_overlap)));
 }
 
 void PairReviewModel::setAside() {

@@ -26,10 +26,10 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr double kRimScale_mm = 0.5;  // twice a good rim's RMS has the full colour
+constexpr double kFractureScale_mm = 0.5;  // twice a good fracture's RMS has the full colour
 
 ShownScan shownScan(const pipeline::ScanCloud& cloud) {
-  return {cloud.cloud, cloud.rim};
+  return {cloud.cloud, cloud.fracture};
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ void ReviewPane::buildActions() {
   buildPieceActions();
   tools_ = new ToolRow(this);
   tools_->setObjectName("reviewTools");
-  tools_->addGroup(tr("View"), {mirror_, apart_, section_, measure_, along_rim_, closed_});
+  tools_->addGroup(tr("View"), {mirror_, apart_, section_, measure_, along_fracture_, closed_});
   tools_->addGroup(tr("Fit"), {settle});
   tools_->addGroup(tr("Decide"), {aside, reshoot, join_, cut_});
 }
@@ -169,8 +169,8 @@ void ReviewPane::buildViewActions() {
     view_->setMeasuring(on);
     showFigures();
   });
-  along_rim_ = toggle("alongRim", "distance", tr("Fracture gap"), Qt::Key_R);
-  connect(along_rim_, &QAction::toggled, this, &ReviewPane::colourRim);
+  along_fracture_ = toggle("alongFracture", "distance", tr("Fracture gap"), Qt::Key_R);
+  connect(along_fracture_, &QAction::toggled, this, &ReviewPane::colourFracture);
   closed_ = toggle("closed", "model", tr("Model"), Qt::Key_V);
   connect(closed_, &QAction::triggered, this, [this](bool on) {
     if (on)
@@ -328,12 +328,12 @@ void ReviewPane::leave() {
   joining_->leave();
 }
 
-// The back moves under the eye, and its rim's figures with it.
+// The back moves under the eye, and its fracture's figures with it.
 void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
-  QStringList rims;
-  for (const double rim : model_.settlingRims()) rims << mm(rim, 2);
-  figures_->setText(
-      tr("Refining the fit, fracture gap %1. Esc stops.").arg(rims.join(QStringLiteral(" → "))));
+  QStringList fractures;
+  for (const double fracture : model_.settlingFractures()) fractures << mm(fracture, 2);
+  figures_->setText(tr("Refining the fit, fracture gap %1. Esc stops.")
+                        .arg(fractures.join(QStringLiteral(" → "))));
   if (!closed_->isChecked()) view_->setPose(front_from_back);
   forgetMeasured();
 }
@@ -379,15 +379,15 @@ void ReviewPane::showScene(const PairScene& scene) {
     view_->showScans(shownScan(*scene.front_cloud), shownScan(*scene.back_cloud),
                      scene.fit.front_from_back);
   }
-  colourRim();
+  colourFracture();
   showFigures();
 }
 
-void ReviewPane::colourRim() {
+void ReviewPane::colourFracture() {
   ShownDistances shown;
-  shown.reach_mm = kRimScale_mm;
-  if (along_rim_->isChecked() && scene_)
-    for (const registration::RimDistance& d : scene_->view.rim) {
+  shown.reach_mm = kFractureScale_mm;
+  if (along_fracture_->isChecked() && scene_)
+    for (const registration::FractureDistance& d : scene_->view.fracture) {
       shown.points.push_back(d.point);
       shown.distance_mm.push_back(d.distance_mm);
     }

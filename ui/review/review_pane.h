@@ -59,7 +59,7 @@ class ReviewPane final : public QWidget {
   void showFigures();
   QString words() const;  ///< what to do next, or about the card
   void showScene(const PairScene& scene);
-  void colourRim();
+  void colourFracture();
   void measure(const Eigen::Vector3d& point);
   void forgetMeasured();
 
@@ -74,7 +74,7 @@ class ReviewPane final : public QWidget {
   ToolRow* tools_ = nullptr;
   QSplitter* compared_ = nullptr;
   QAction *mirror_ = nullptr, *apart_ = nullptr, *section_ = nullptr, *measure_ = nullptr,
-          *along_rim_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
+          *along_fracture_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
   JoinMode* joining_ = nullptr;
   std::shared_ptr<const PairScene> scene_;
   std::vector<Eigen::Vector3d> measured_;

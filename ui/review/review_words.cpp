@@ -22,11 +22,11 @@ QString capitalised(QString sentence) {
 }
 
 QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
-  const double apart = std::abs(card.rim_rms_mm - card.rival_rim_rms_mm);
-  const bool rims = card.rim_rms_mm > 0 && card.rival_rim_rms_mm > 0;
+  const double apart = std::abs(card.fracture_rms_mm - card.rival_fracture_rms_mm);
+  const bool fractures = card.fracture_rms_mm > 0 && card.rival_fracture_rms_mm > 0;
   if (card.rival_back >= 0)
-    return capitalised((rims ? tr("%1 and %2 both fit %3: their fractures differ by only %4.")
-                             : tr("%1 and %2 both fit %3."))
+    return capitalised((fractures ? tr("%1 and %2 both fit %3: their fractures differ by only %4.")
+                                  : tr("%1 and %2 both fit %3."))
                            .arg(nameOf(table.backs, card.back),
                                 nameOf(table.backs, card.rival_back),
                                 nameOf(table.fronts, card.front), mm(apart)));
@@ -103,13 +103,12 @@ QString slipSentence(Slip slip, double value) {
       return tr("The back lies upside down: both sides face the same way.");
     case Slip::FacesCross:
       return tr("The faces cross: %1 of the front lies behind the back.").arg(percent(value));
-    case Slip::NoSharedRim:
-      return value < 0.02
-                 ? tr("The two scans share almost no fracture; only their outlines match.")
-                 : tr("The two scans share only %1 of the fracture.").arg(percent(value));
-    case Slip::RimMisfits:
+    case Slip::NoSharedFracture:
+      return value < 0.02 ? tr("The two scans share almost no fracture; only their outlines match.")
+                          : tr("The two scans share only %1 of the fracture.").arg(percent(value));
+    case Slip::FractureMisfits:
       return tr("The fractures do not fit: %1 apart.").arg(mm(value));
-    case Slip::RimLoose:
+    case Slip::FractureLoose:
       return tr("The fracture barely fixes the position: uncertain by %1.").arg(mm(value));
     case Slip::RivalPlace:
       return tr("A position %1 along the contour fits almost as well.").arg(mm(value, 1));
@@ -154,7 +153,7 @@ State stateColour(CardState state) {
 }
 
 QString hardlyMeetSentence(const pipeline::LiveFit& fit) {
-  return tr("The fractures barely touch: %1 of them.").arg(percent(fit.rim_overlap));
+  return tr("The fractures barely touch: %1 of them.").arg(percent(fit.fracture_overlap));
 }
 
 QString madeWord(Made made) {
@@ -174,7 +173,7 @@ QString madeWord(Made made) {
 QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
                       const ReviewCard& card, const CandidateTable& table) {
   const QString back = nameOf(table.backs, trial.back);
-  const QString chance = scoreWords(score), meets = percent(fit ? fit->rim_overlap : 0);
+  const QString chance = scoreWords(score), meets = percent(fit ? fit->fracture_overlap : 0);
   QString text;
   if (trial.made == Made::ByHand)
     text =
@@ -187,8 +186,8 @@ QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit*
                : tr("Refined by the fractures.");
   else if (!fit)
     text = tr("Trying %1: %2.").arg(back, chance);
-  else if (fit->rim_rms_mm > 0)
-    text = tr("Trying %1: %2, fractures %3 apart.").arg(back, chance, mm(fit->rim_rms_mm));
+  else if (fit->fracture_rms_mm > 0)
+    text = tr("Trying %1: %2, fractures %3 apart.").arg(back, chance, mm(fit->fracture_rms_mm));
   else
     text = tr("Trying %1: %2; its fractures do not touch.").arg(back, chance);
   if (card.back < 0 || card.back == trial.back) return capitalised(text);

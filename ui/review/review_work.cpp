@@ -11,7 +11,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr std::size_t kShownPoints = 60000;  // of a face; rims come on top
+constexpr std::size_t kShownPoints = 60000;  // of a face; fractures come on top
 constexpr double kThumbnailPixel_mm = 0.5, kLonePixel_mm = 0.15;
 
 }  // namespace
@@ -58,7 +58,7 @@ Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int
   scene->front_picture = imageOf(scene->view.front);
   scene->back_picture = imageOf(scene->view.back);
   scene->fit.front_from_back = pose;
-  // Scans without a usable rim still have outlines and photographs.
+  // Scans without a usable fracture still have outlines and photographs.
   if (const Result<pipeline::LiveFit> fit = live->measured(front, back, pose)) scene->fit = *fit;
   if (clouds == Clouds::Fetch) {
     Result<pipeline::ScanCloud> f = live->cloud(batch::Side::Front, front, kShownPoints);

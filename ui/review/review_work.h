@@ -60,7 +60,7 @@ Result<MeshPtr> closedModel(const LivePairsPtr& live, int front, int back);
 using ScanPictures = std::map<std::pair<batch::Side, int>, QImage>;
 Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop);
 
-/// The likeliest back that is not known yet, rims compared; nothing when there is none.
+/// The likeliest back that is not known yet, fractures compared; nothing when there is none.
 Result<std::optional<pipeline::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live,
                                                                   int front,
                                                                   const std::vector<int>& known,

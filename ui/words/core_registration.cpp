@@ -12,7 +12,7 @@ Sentences sentencesOfRegistration() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The scan has no normals; export it with normals."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "Fewer than 50 points lie on the broken edge; scan the sherd again with its rim."),
+          "Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge."),
   };
   return kAll;
 }

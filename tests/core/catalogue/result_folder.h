@@ -53,8 +53,8 @@ class ResultFolder {
                        {"ambiguous", p.ambiguous},
                        {"reason", p.ambiguous ? "two look alike" : ""},
                        {"T_front_from_back", toJson(pose)},
-                       {"rim_rms_mm", 0.2},
-                       {"rim_overlap", 0.6}});
+                       {"fracture_rms_mm", 0.2},
+                       {"fracture_overlap", 0.6}});
       if (!p.decided_by.empty())
         pairs.back()["decided"] = {{"by", p.decided_by}, {"at", "2026-07-14T18:30:00Z"}};
       const std::string number = "0" + std::to_string(i + 1);

@@ -227,7 +227,8 @@ const std::map<std::string, std::string> kWholeTables = {
      "plate_y_mm, s.state) FROM scan s JOIN batch b ON b.row = s.batch"},
     {"pair_decision",
      "SELECT json_array(d.id, d.at, p.id, b.id, f.id, k.id, d.front_from_back, d.score, d.margin, "
-     "d.ambiguous, d.rim_rms_mm, d.rim_overlap, d.verdict, r.id, d.note) FROM pair_decision d JOIN "
+     "d.ambiguous, d.fracture_rms_mm, d.fracture_overlap, d.verdict, r.id, d.note) FROM "
+     "pair_decision d JOIN "
      "batch b ON b.row = d.batch LEFT JOIN person p ON p.row = d.person LEFT JOIN scan f ON f.row "
      "= d.front LEFT JOIN scan k ON k.row = d.back LEFT JOIN pair_decision r ON r.row = "
      "d.replaces"},

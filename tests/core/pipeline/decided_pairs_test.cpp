@@ -194,14 +194,15 @@ TEST_F(DecidedPairs, TheTableOfCandidatesIsReadBackWhole) {
   EXPECT_EQ(read->fronts[2].place_mm, out_.table.fronts[2].place_mm);
 }
 
-// The rims settled it when it was computed: the review shows that, not what the person began with.
+// The fractures settled it when it was computed: the review shows that, not what the person began
+// with.
 TEST_F(DecidedPairs, ThatWereComputedAreShownAsTheyWereRegistered) {
   PairDecision d = pair(0, 0);
   d.front_from_back = movedByHand(out_.front_from_back[0], out_.table.backs[0],
                                   Eigen::Vector3d(0, 0, 0.2), Eigen::Vector3d(1, 0, 0));
   PairTable computed = with({d});
   computed.pairs[0].registration.front_from_back = out_.front_from_back[0];
-  computed.pairs[0].registration.rim_rms_mm = 0.21;
+  computed.pairs[0].registration.fracture_rms_mm = 0.21;
   ASSERT_TRUE(writeFileAtomically(out_.output / "pairs.json",
                                   toJson(computed, out_.table.fronts, out_.table.backs).dump()));
   const Result<CandidateTable> read = readCandidatesOf(out_.output);
@@ -210,7 +211,7 @@ TEST_F(DecidedPairs, ThatWereComputedAreShownAsTheyWereRegistered) {
   const Result<Review> review = reviewOf(*read, {d});
   ASSERT_TRUE(review.has_value());
   EXPECT_TRUE(review->ofFront(0)->front_from_back.isApprox(out_.front_from_back[0], 1e-6));
-  EXPECT_EQ(review->ofFront(0)->rim_rms_mm, 0.21);
+  EXPECT_EQ(review->ofFront(0)->fracture_rms_mm, 0.21);
   d.at = "2026-07-14T09:31:00Z";  // turned once more since
   EXPECT_TRUE(reviewOf(*read, {d})->ofFront(0)->front_from_back.isApprox(*d.front_from_back, 1e-6));
 }
@@ -231,7 +232,7 @@ TEST_F(DecidedPairs, LiveARegistrationGoesOnFromAPoseMadeByHand) {
   ASSERT_TRUE(before.has_value()) << before.error().sentence();
   const Result<LiveFit> after = (*live)->settled(0, 0, off, {});
   ASSERT_TRUE(after.has_value()) << after.error().sentence();
-  EXPECT_LT(after->rim_rms_mm, before->rim_rms_mm);
+  EXPECT_LT(after->fracture_rms_mm, before->fracture_rms_mm);
   // 0.1 mm: the registration's own bar on clean scans; these are 24 mm small.
   EXPECT_LT(apart_mm(out_.table.backs[0], after->front_from_back, truth), 0.1);
   EXPECT_GT(apart_mm(out_.table.backs[0], off, truth), 0.7);
@@ -270,7 +271,7 @@ TEST_F(DecidedPairs, TheViewLaysBothSidesOnEachOther) {
   EXPECT_EQ(view->front_turns.size(), 200u);
   EXPECT_NEAR(view->front_turns.back(), 2 * 3.14159265, 1e-6);
   EXPECT_LT(view->turns_difference, 0.6) << "two sides of one sherd";
-  EXPECT_GT(view->rim.size(), 300u);
+  EXPECT_GT(view->fracture.size(), 300u);
 }
 
 TEST_F(DecidedPairs, APairThatTheProgramDidNotCompareIsComparedOnDemand) {
@@ -298,7 +299,7 @@ TEST_F(DecidedPairs, AnIsolatedDecisionIsRegisteredFromItsPose) {
   const auto live = LivePairs::open(out_.output);
   scan::Scan f{"f001", *front, {}, Eigen::Vector3d::UnitZ()};
   scan::Scan b{"b001", *back, {}, Eigen::Vector3d::UnitZ()};
-  // Rims as the chain finds them, through the edits of pieces that change nothing.
+  // Fractures as the chain finds them, through the edits of pieces that change nothing.
   PairDecision d = pair(0, 0);
   d.front_from_back =
       movedByHand(out_.front_from_back[0], out_.table.backs[0], {0, 0, 0.03}, {0.4, 0, 0});
@@ -310,7 +311,7 @@ TEST_F(DecidedPairs, AnIsolatedDecisionIsRegisteredFromItsPose) {
   const auto given = registerDecided(d, f, b, {{}, {}, true, true}, {}, quiet, {});
   ASSERT_TRUE(given.has_value());
   EXPECT_EQ(given->front_from_back.matrix(), d.front_from_back->matrix());
-  EXPECT_GT(given->uncertainty_mm, 0.3) << "as far as the rims' own place lies from it";
+  EXPECT_GT(given->uncertainty_mm, 0.3) << "as far as the fractures' own place lies from it";
 }
 
 TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
@@ -326,7 +327,7 @@ TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
   EXPECT_EQ(two.scans[1].id, "f004") << "the next free number";
   EXPECT_EQ(two.scans[0].cloud.size() + two.scans[1].cloud.size(), cloud->size());
   EXPECT_LT(refOf(two.scans[0], Side::Front).place_mm.x(), ref.place_mm.x()) << "left of the line";
-  EXPECT_FALSE(two.scans[1].rim.empty());
+  EXPECT_FALSE(two.scans[1].fracture.empty());
 
   PairDecision join = about(DecisionKind::Join, refOf(two.scans[0], Side::Front));
   join.number = 2;

@@ -41,7 +41,7 @@ TEST_F(MoreCandidates, ComeOneByOneUntilEachBackWasShownAndAreKept) {
   std::vector<int> known = compared(2);
   const std::size_t before = known.size();
   ASSERT_LT(before, 4u);
-  std::vector<double> rims;
+  std::vector<double> fractures;
   while (true) {
     const auto next = nextCandidate(*live_, 2, known, quiet, {});
     ASSERT_TRUE(next) << next.error().sentence();
@@ -49,7 +49,7 @@ TEST_F(MoreCandidates, ComeOneByOneUntilEachBackWasShownAndAreKept) {
     EXPECT_EQ((*next)->evidence.front, 2);
     EXPECT_EQ(std::count(known.begin(), known.end(), (*next)->evidence.back), 0);
     known.push_back((*next)->evidence.back);
-    rims.push_back((*next)->registration.rim_rms_mm);
+    fractures.push_back((*next)->registration.fracture_rms_mm);
   }
   ASSERT_GT(known.size(), before);
   // Another time they come from the disk, in the same order, from whoever opens the batch.
@@ -60,7 +60,7 @@ TEST_F(MoreCandidates, ComeOneByOneUntilEachBackWasShownAndAreKept) {
     const auto next = nextCandidate(*again, 2, anew, quiet, {});
     ASSERT_TRUE(next && *next);
     EXPECT_EQ((*next)->evidence.back, known[i]);
-    EXPECT_NEAR((*next)->registration.rim_rms_mm, rims[i - before], 1e-6);
+    EXPECT_NEAR((*next)->registration.fracture_rms_mm, fractures[i - before], 1e-6);
     anew.push_back((*next)->evidence.back);
   }
   EXPECT_EQ(*readFile(kept()), bytes);
@@ -72,11 +72,11 @@ TEST_F(MoreCandidates, AreBelievedUntilThePairsAreComputedAnew) {
   ASSERT_TRUE(found && *found);
   nlohmann::json text = *readJson(kept());
   ASSERT_FALSE(text["candidates"].empty());
-  for (nlohmann::json& candidate : text["candidates"]) candidate["rim_rms_mm"] = 9.5;
+  for (nlohmann::json& candidate : text["candidates"]) candidate["fracture_rms_mm"] = 9.5;
   ASSERT_TRUE(writeFileAtomically(kept(), text.dump()));
   const auto from_disk = nextCandidate(*live_, 2, compared(2), quiet, {});
   ASSERT_TRUE(from_disk && *from_disk);
-  EXPECT_EQ((*from_disk)->registration.rim_rms_mm, 9.5);
+  EXPECT_EQ((*from_disk)->registration.fracture_rms_mm, 9.5);
 
   const fs::path pairs = output_ / "work" / "pairs" / "candidates.json";
   nlohmann::json other = *readJson(pairs);
@@ -88,7 +88,7 @@ TEST_F(MoreCandidates, AreBelievedUntilThePairsAreComputedAnew) {
   const auto anew = nextCandidate(*recomputed, 2, compared(2), quiet, {});
   ASSERT_TRUE(anew && *anew);
   EXPECT_EQ((*anew)->evidence.back, (*found)->evidence.back);
-  EXPECT_NEAR((*anew)->registration.rim_rms_mm, (*found)->registration.rim_rms_mm, 1e-6);
+  EXPECT_NEAR((*anew)->registration.fracture_rms_mm, (*found)->registration.fracture_rms_mm, 1e-6);
 }
 
 TEST_F(MoreCandidates, ThatCannotBeReadAreFoundAnew) {

@@ -119,7 +119,7 @@ TEST_F(RegisterScans, WithScaleFreeFindTheirPosesInWhateverUnitTheFrontsHave) {
     const Eigen::Vector3d middle(back.place_mm.x(), back.place_mm.y(), 3);
     // 0.5 % of scale over the 130 mm that the backs lie away from their origin.
     EXPECT_LT((found * middle - truth.front_from_back[i] * middle).norm(), 0.7);
-    EXPECT_LT(pair.at("rim_rms_mm").get<double>(), 0.3 * kFront) << "in metres";
+    EXPECT_LT(pair.at("fracture_rms_mm").get<double>(), 0.3 * kFront) << "in metres";
   }
   const auto merged = readPlyCloud(folder / "out/sherds/01/merged.ply");
   ASSERT_TRUE(merged.has_value());
@@ -153,13 +153,13 @@ TEST_F(RegisterScans, StoppedCanBeRepeatedAndLeavesNothingThatLooksWhole) {
   EXPECT_TRUE(fs::exists(folder / "out/report.json")) << "and it is left alone";
 }
 
-TEST(RegisterReport, SaysNothingWhereNoRimsWereCompared) {
+TEST(RegisterReport, SaysNothingWhereNoFracturesWereCompared) {
   RegisterSummary::Pair pair;
-  EXPECT_TRUE(toJson(pair).at("rim_rms_mm").is_null());
-  EXPECT_TRUE(toJson(pair).at("rim_overlap").is_null());
-  pair.rim_rms_mm = 0.1;
-  EXPECT_EQ(toJson(pair).at("rim_rms_mm"), 0.1);
-  EXPECT_EQ(toJson(pair).at("rim_overlap"), 0.0) << "they were compared and do not meet";
+  EXPECT_TRUE(toJson(pair).at("fracture_rms_mm").is_null());
+  EXPECT_TRUE(toJson(pair).at("fracture_overlap").is_null());
+  pair.fracture_rms_mm = 0.1;
+  EXPECT_EQ(toJson(pair).at("fracture_rms_mm"), 0.1);
+  EXPECT_EQ(toJson(pair).at("fracture_overlap"), 0.0) << "they were compared and do not meet";
 }
 
 }  // namespace

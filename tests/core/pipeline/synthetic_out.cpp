@@ -98,14 +98,14 @@ void photograph(const rig::PosedImage& image, const std::vector<const scan::Scan
   cv::imwrite(mask_file.string(), mask);
 }
 
-RegisteredCandidate candidate(int front, int back, double log_likelihood, double rim_rms_mm,
+RegisteredCandidate candidate(int front, int back, double log_likelihood, double fracture_rms_mm,
                               const Isometry3d& pose) {
   RegisteredCandidate c;
   c.evidence.front = front;
   c.evidence.back = back;
   c.evidence.log_likelihood = log_likelihood;
-  c.evidence.rim_rms_mm = c.registration.rim_rms_mm = rim_rms_mm;
-  c.evidence.overlap = c.registration.rim_overlap = 0.8;
+  c.evidence.fracture_rms_mm = c.registration.fracture_rms_mm = fracture_rms_mm;
+  c.evidence.overlap = c.registration.fracture_overlap = 0.8;
   c.registration.uncertainty_mm = 0.05;
   c.registration.runner_up_gap = 1e9;
   c.registration.start = 0;

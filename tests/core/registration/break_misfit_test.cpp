@@ -19,7 +19,7 @@ TEST(BreakMisfit, WhiteNoiseIsAveragedAwayAndLittleOfItIsAlike) {
   EXPECT_LT(misfit.rms_mm, 0.05);
   EXPECT_GT(misfit.rms_mm, 0.005);
   EXPECT_LT(misfit.alike, 6);
-  EXPECT_GT(misfit.places, 30);  // 130 mm of rim, 2.6 mm of it seen by both
+  EXPECT_GT(misfit.places, 30);  // 130 mm of fracture, 2.6 mm of it seen by both
 }
 
 TEST(BreakMisfit, AnotherBreakOfTheSameOutlineStandsOutOfTheSameNoise) {

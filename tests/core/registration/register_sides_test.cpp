@@ -81,8 +81,8 @@ TEST(RegisterSides, AnotherBreakOfTheSameOutlineFitsWorse) {
   const auto right = run(sherd.front, sherd.back, {startOff(sherd, 0.5, 0.02)});
   const auto wrong = run(sherd.front, other.back, {startOff(sherd, 0.5, 0.02)});
   ASSERT_TRUE(right.has_value() && wrong.has_value());
-  EXPECT_LT(right->rim_rms_mm, 0.12);
-  EXPECT_GT(wrong->rim_rms_mm, 2 * right->rim_rms_mm);
+  EXPECT_LT(right->fracture_rms_mm, 0.12);
+  EXPECT_GT(wrong->fracture_rms_mm, 2 * right->fracture_rms_mm);
   EXPECT_GT(right->log_likelihood, wrong->log_likelihood + 4);  // 50 to 1
 }
 
@@ -100,8 +100,8 @@ TEST(RegisterSides, TheUncertaintyIsOfTheSizeOfTheErrors) {
   EXPECT_LT(squares, 9 * claimed);
 }
 
-// Where no rims meet nothing but the start tells how the sides lie. Its uncertainty was stated as
-// 30 m.
+// Where no fractures meet nothing but the start tells how the sides lie. Its uncertainty was stated
+// as 30 m.
 TEST(RegisterSides, SidesThatDoNotMeetAreNoMoreUncertainThanTheyAreLarge) {
   const SimulatedSherd sherd = simulatedSherd({});
   Isometry3d start = sherd.truth;

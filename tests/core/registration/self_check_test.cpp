@@ -17,8 +17,8 @@ class SelfCheck : public testing::Test {
     front = std::move(*prepareStrip(sherd.front, {}));
     back = std::move(*prepareStrip(sherd.back, {}));
     good.front_from_back = truth = sherd.truth;
-    good.rim_rms_mm = 0.08;
-    good.rim_overlap = 0.8;
+    good.fracture_rms_mm = 0.08;
+    good.fracture_overlap = 0.8;
     good.uncertainty_mm = 0.03;
     good.runner_up_gap = 1e9;
   }
@@ -52,7 +52,7 @@ TEST_F(SelfCheck, UpsideDownIsFlagged) {
   EXPECT_TRUE(judged(r).slipped);
 }
 
-TEST_F(SelfCheck, APoseThatTheRimHardlyFixesIsFlagged) {
+TEST_F(SelfCheck, APoseThatTheFractureHardlyFixesIsFlagged) {
   Registration r = good;
   r.uncertainty_mm = 1.0;
   EXPECT_TRUE(judged(r).slipped);
@@ -61,32 +61,32 @@ TEST_F(SelfCheck, APoseThatTheRimHardlyFixesIsFlagged) {
   r.runner_up_mm = 2;
   EXPECT_TRUE(judged(r).slipped);
   r = good;
-  r.rim_overlap = 0;
+  r.fracture_overlap = 0;
   EXPECT_TRUE(judged(r).slipped);
 }
 
 // Such a pair may well be right, but not without a word of how little holds it.
 TEST_F(SelfCheck, APairThatSharesLittleOfItsBrokenEdgeIsFlaggedWithTheShare) {
   Registration r = good;
-  r.rim_overlap = 0.15;
+  r.fracture_overlap = 0.15;
   r = judged(r);
   EXPECT_TRUE(r.slipped);
-  EXPECT_EQ(r.slip, Slip::NoSharedRim);
+  EXPECT_EQ(r.slip, Slip::NoSharedFracture);
   EXPECT_EQ(r.reason, "The two scans share only 15 % of the broken edge.");
   r = good;
-  r.rim_overlap = 0.25;
+  r.fracture_overlap = 0.25;
   EXPECT_FALSE(judged(r).slipped) << r.reason;
 }
 
-TEST(RimLikelihood, TellsTruePairsFromLookAlikesOnCleanScans) {
+TEST(FractureLikelihood, TellsTruePairsFromLookAlikesOnCleanScans) {
   // The figures of the clean sets: true pairs up to 0.13 mm, false ones from 0.31 mm.
-  EXPECT_GT(rimLogLikelihood(0.13, 0.09, 5000), 3.0);
-  EXPECT_LT(rimLogLikelihood(0.31, 0.09, 5000), -1.5);
-  EXPECT_GT(rimLogLikelihood(0.10, 0.07, 5000), rimLogLikelihood(0.15, 0.07, 5000));
+  EXPECT_GT(fractureLogLikelihood(0.13, 0.09, 5000), 3.0);
+  EXPECT_LT(fractureLogLikelihood(0.31, 0.09, 5000), -1.5);
+  EXPECT_GT(fractureLogLikelihood(0.10, 0.07, 5000), fractureLogLikelihood(0.15, 0.07, 5000));
 }
 
-TEST(RimLikelihood, SaysLittleWhenFewPairsMeet) {
-  EXPECT_NEAR(rimLogLikelihood(0.10, 0.07, 0), 0.0, 1e-12);
+TEST(FractureLikelihood, SaysLittleWhenFewPairsMeet) {
+  EXPECT_NEAR(fractureLogLikelihood(0.10, 0.07, 0), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(SplitScans, FindsTheSherdsAndLeavesPlateCrumbAndFlyersOut) {
   // All but the lowest row of the walls, which is within the plate's own noise.
   EXPECT_NEAR(static_cast<double>(found->scans[0].cloud.size()),
               static_cast<double>(test::box(-60, 40, 30, 25, 6).size()), 250);
-  EXPECT_EQ(found->scans[0].rim.size(), found->scans[0].cloud.size());
+  EXPECT_EQ(found->scans[0].fracture.size(), found->scans[0].cloud.size());
   ASSERT_EQ(found->warnings.size(), 1u);  // of the crumb
 }
 

@@ -30,7 +30,7 @@ class PairReviewModelTest : public ReviewModel {
   void nobodyDecidesNothing();
   void aBackGivenToAnotherFrontMovesTheOneThatHeldIt();
   void settingAsideAndShootingAgainAreDecisions();
-  void aTurnByHandIsOneActAndTheRimsSettleIt();
+  void aTurnByHandIsOneActAndTheFracturesSettleIt();
   void theBackIsSeenOnItsWayAndCanBeStopped();
   void whatWasTurnedByHandStandsAsItIs();
   void theStartPointStepsByOneSampleAndToTheNextGoodOne();
@@ -168,15 +168,15 @@ void PairReviewModelTest::settingAsideAndShootingAgainAreDecisions() {
   QCOMPARE(model_->waiting(), 2);
 }
 
-void PairReviewModelTest::aTurnByHandIsOneActAndTheRimsSettleIt() {
+void PairReviewModelTest::aTurnByHandIsOneActAndTheFracturesSettleIt() {
   model_->select(2);
   waitForScene();
-  const double before = model_->fit().rim_rms_mm;
+  const double before = model_->fit().fracture_rms_mm;
   const Eigen::Isometry3d begun = model_->trial().front_from_back;
   for (int i = 0; i < 5; ++i) model_->moveByHand({0, 0, 0.01}, {0.06, 0, 0});
   QCOMPARE(undo_->count(), 1);
   QCOMPARE(model_->trial().made, Made::ByHand);
-  QTRY_VERIFY(model_->fit().rim_rms_mm > 1.2 * before);
+  QTRY_VERIFY(model_->fit().fracture_rms_mm > 1.2 * before);
   model_->settle();
   QTRY_COMPARE(model_->trial().made, Made::Settled);
   const double off = pipeline::apart_mm(out_.table.backs[2], model_->trial().front_from_back,
@@ -214,10 +214,10 @@ void PairReviewModelTest::theBackIsSeenOnItsWayAndCanBeStopped() {
   QTRY_COMPARE(model_->trial().made, Made::Settled);
   // After the coarse rounds, after the fine ones, and where it came to rest.
   QCOMPARE(seen.size(), std::size_t{3});
-  QCOMPARE(model_->settlingRims().size(), std::size_t{3});
+  QCOMPARE(model_->settlingFractures().size(), std::size_t{3});
   QVERIFY(!seen[0].isApprox(by_hand, 1e-6));
   QVERIFY(seen[2].isApprox(model_->trial().front_from_back, 1e-12));
-  QVERIFY(model_->settlingRims().back() < start->rim_rms_mm);
+  QVERIFY(model_->settlingFractures().back() < start->fracture_rms_mm);
   disconnect(model_.get(), &PairReviewModel::settlingAt, this, nullptr);
 }
 
@@ -332,7 +332,7 @@ void PairReviewModelTest::whatWasOnItsWayForTheBatchBeforeIsDropped() {
   PairReviewModel model(at_once, *undo_);
   std::vector<double> shown_mm;
   connect(&model, &PairReviewModel::sceneChanged, &model,
-          [&](const auto& scene) { shown_mm.push_back(scene->fit.rim_rms_mm); });
+          [&](const auto& scene) { shown_mm.push_back(scene->fit.fracture_rms_mm); });
   QSignalSpy models(&model, &PairReviewModel::failed);
   model.open(*before);
   model.fetchModel();
@@ -343,7 +343,7 @@ void PairReviewModelTest::whatWasOnItsWayForTheBatchBeforeIsDropped() {
   const auto fit = after->live->measured(trial.front, trial.back, trial.front_from_back);
   QTRY_VERIFY(!shown_mm.empty());
   QTest::qWait(0);
-  QCOMPARE(shown_mm, std::vector<double>{fit->rim_rms_mm});
+  QCOMPARE(shown_mm, std::vector<double>{fit->fracture_rms_mm});
   QCOMPARE(undo_->count(), 0);
   QCOMPARE(models.count(), 0);
   QVERIFY(model.trial().front_from_back.isApprox(trial.front_from_back, 0));

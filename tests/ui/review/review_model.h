@@ -35,7 +35,7 @@ class ReviewModel : public QObject {
 
   pipeline::Decisions onDisk() { return *pipeline::readDecisions(out_.output); }
   const pipeline::ReviewCard& cardOf(int front) { return *model_->review().ofFront(front); }
-  void waitForScene() { QTRY_VERIFY(model_->fit().rim_rms_mm > 0); }
+  void waitForScene() { QTRY_VERIFY(model_->fit().fracture_rms_mm > 0); }
 
   QTemporaryDir folder_;
   pipeline::SyntheticOut out_;

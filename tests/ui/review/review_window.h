@@ -57,7 +57,7 @@ class ReviewWindow : public QObject {
     QTest::keyClicks(QApplication::focusWidget(), "AP");
     key(Qt::Key_Return);
     QTRY_COMPARE(model()->person(), QStringLiteral("AP"));
-    QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+    QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   }
 
   void enterBatch(catalogue::Project& project, int sherds, const std::string& number = "B0001") {

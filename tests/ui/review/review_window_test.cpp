@@ -211,7 +211,7 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   QTRY_VERIFY(standingOnDisk().empty());
   // The other side.
   model()->select(front);
-  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   key(Qt::Key_K);
   key(Qt::Key_Down);
   QVERIFY(pictures->accessibleDescription().contains("back"));
@@ -293,7 +293,7 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   QTRY_VERIFY(standingOnDisk().empty());
   QVERIFY(station_->findChild<QLabel*>("message")->text().startsWith("Undone"));
   model()->select(2);
-  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   key(Qt::Key_K);
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});

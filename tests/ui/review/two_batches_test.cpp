@@ -125,7 +125,7 @@ void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
   const pipeline::SyntheticOut second = addBatch("B0002");
   station_->showItem("B0002");
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
-  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   key(Qt::Key_2);
   QTRY_COMPARE(model()->chosen(), 1);
   key(Qt::Key_Return);

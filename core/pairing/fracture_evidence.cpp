@@ -1,4 +1,4 @@
-#include "pairing/rim_evidence.h"
+#include "pairing/fracture_evidence.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ double normal(double x, double sigma) {
 struct Densities {
   double same, other;
 };
-Densities densities(const RimFigures& c, double usual_mm) {
+Densities densities(const FractureFigures& c, double usual_mm) {
   const double at = std::log(std::max(1e-3, c.misfit_mm));
   const double counted = 0.5 / std::max(1.0, c.places);  // variance of an RMS' logarithm
   constexpr double kFloor = 1e-30;
@@ -41,12 +41,12 @@ Densities densities(const RimFigures& c, double usual_mm) {
 }
 
 /// Certain by its outlines: they are alike, and no other pair of its front or back comes near.
-std::vector<bool> certainOnes(std::span<const RimFigures> candidates) {
+std::vector<bool> certainOnes(std::span<const FractureFigures> candidates) {
   constexpr double kCertain = 10;  // logarithm; above any stranger's
   std::vector<bool> certain;
-  for (const RimFigures& own : candidates) {
+  for (const FractureFigures& own : candidates) {
     const bool rivalled =
-        std::any_of(candidates.begin(), candidates.end(), [&](const RimFigures& c) {
+        std::any_of(candidates.begin(), candidates.end(), [&](const FractureFigures& c) {
           const bool other = (c.front == own.front) != (c.back == own.back);
           return other && c.outline_log_likelihood > own.outline_log_likelihood - kCertain;
         });
@@ -59,7 +59,7 @@ std::vector<bool> certainOnes(std::span<const RimFigures> candidates) {
 struct Case {
   double usual_mm, strays, probability;
 };
-std::vector<Case> casesOf(std::span<const RimFigures> candidates,
+std::vector<Case> casesOf(std::span<const FractureFigures> candidates,
                           const std::vector<bool>& certain) {
   std::vector<Case> cases;
   double most = -1e300;
@@ -80,7 +80,7 @@ std::vector<Case> casesOf(std::span<const RimFigures> candidates,
 
 }  // namespace
 
-std::vector<double> rimLogLikelihoods(std::span<const RimFigures> candidates) {
+std::vector<double> fractureLogLikelihoods(std::span<const FractureFigures> candidates) {
   const std::vector<bool> certain = certainOnes(candidates);
   const std::vector<Case> cases = casesOf(candidates, certain);
   const double few = kStrays[0].share;

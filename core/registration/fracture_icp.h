@@ -7,16 +7,16 @@
 
 namespace ostraka::registration {
 
-struct RimPairing {
+struct FracturePairing {
   double radius_mm = 1;     ///< closest pairs farther apart do not count
   double min_cos = 0.7071;  ///< normals must agree to 45 degrees
   double robust_mm = 1;     ///< Tukey's biweight is zero from here on
   double sigma_mm = 0.1;    ///< SD of one pair's distance along the normal
   double correlated = 10;   ///< pairs that carry the information of one independent pair
-  double bias_mm = 0.02;    ///< SD of the strips' common error in height at the rim's ends
+  double bias_mm = 0.02;    ///< SD of the strips' common error in height at the fracture's ends
 };
 
-struct RimFit {
+struct FractureFit {
   Evidence evidence;    ///< the common error in height and tilt already taken out
   double rms_mm = 0;    ///< along the normal, over all pairs in the radius
   double sigma_mm = 0;  ///< robust SD along the normal
@@ -29,8 +29,9 @@ struct RimFit {
 /// normal): r = n . (T q - p), n along n_p + n_q. The strips' fatness is an unknown b(x, y) n.up,
 /// b linear over the sherd with SD bias_mm, which is marginalised: fat strips say nothing of
 /// height.
-RimFit fitRim(const StripLevel& front, const StripLevel& back, const Eigen::Vector3d& front_up,
-              const Eigen::Isometry3d& front_from_back, const Eigen::Vector3d& pivot,
-              double radius_of_sherd_mm, const RimPairing& pairing);
+FractureFit fitFracture(const StripLevel& front, const StripLevel& back,
+                        const Eigen::Vector3d& front_up, const Eigen::Isometry3d& front_from_back,
+                        const Eigen::Vector3d& pivot, double radius_of_sherd_mm,
+                        const FracturePairing& pairing);
 
 }  // namespace ostraka::registration

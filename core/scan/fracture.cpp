@@ -1,4 +1,4 @@
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include "scan/footprint.h"
 
 namespace ostraka::scan {
-Result<void> RimOptions::check() const {
+Result<void> FractureOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (!(steep_rad > 0 && steep_rad < 1.57)) return bad("steep_rad must lie between 0 and 1.57.");
   if (!(edge_mm >= 0)) return bad("edge_mm must not be negative.");
@@ -47,9 +47,9 @@ Eigen::Vector3d estimateUp(const PointCloud& cloud) {
   return up.normalized();
 }
 
-std::vector<std::uint8_t> findRim(const PointCloud& cloud, const RimOptions& options) {
-  std::vector<std::uint8_t> rim(cloud.size(), 0);
-  if (cloud.size() < 20 || !cloud.hasNormals()) return rim;
+std::vector<std::uint8_t> findFracture(const PointCloud& cloud, const FractureOptions& options) {
+  std::vector<std::uint8_t> fracture(cloud.size(), 0);
+  if (cloud.size() < 20 || !cloud.hasNormals()) return fracture;
   const Eigen::Vector3d up = options.up.norm() > 0.5 ? options.up.normalized() : estimateUp(cloud);
   const Eigen::Vector3d x = up.unitOrthogonal(), y = up.cross(x);
   std::vector<Eigen::Vector2d> flat(cloud.size());
@@ -66,16 +66,16 @@ std::vector<std::uint8_t> findRim(const PointCloud& cloud, const RimOptions& opt
     const double inside = footprint.depth(flat[i]);
     if (inside > options.reach_mm) continue;
     if (inside <= options.edge_mm) {
-      rim[i] = 1;
+      fracture[i] = 1;
       continue;
     }
     tree.nearest(cloud.points[i], 9, near);  // normals of stereo are 25 degrees off: 9 make 8
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (const Neighbour& n : near)
       normal += cloud.normals[static_cast<std::size_t>(n.index)].cast<double>();
-    rim[i] = normal.dot(up) < steepest * normal.norm();
+    fracture[i] = normal.dot(up) < steepest * normal.norm();
   }
-  return rim;
+  return fracture;
 }
 
 }  // namespace ostraka::scan

@@ -1,4 +1,4 @@
-#include "scan/rim.h"
+#include "scan/fracture.h"
 
 #include <gtest/gtest.h>
 
@@ -9,36 +9,36 @@
 namespace ostraka::scan {
 namespace {
 
-TEST(FindRim, MarksTheWallsAndNotTheFace) {
+TEST(FindFracture, MarksTheWallsAndNotTheFace) {
   const PointCloud cloud = test::box(0, 0, 30, 30, 6);
-  const std::vector<std::uint8_t> rim = findRim(cloud, {});
-  ASSERT_EQ(rim.size(), cloud.size());
+  const std::vector<std::uint8_t> fracture = findFracture(cloud, {});
+  ASSERT_EQ(fracture.size(), cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& p = cloud.points[i];
     const float inside = std::min({p.x(), p.y(), 30 - p.x(), 30 - p.y()});
     if (std::abs(cloud.normals[i].z()) < 0.5f) {
-      EXPECT_EQ(rim[i], 1);
+      EXPECT_EQ(fracture[i], 1);
     }
     if (inside > 2.5f) {
-      EXPECT_EQ(rim[i], 0);
+      EXPECT_EQ(fracture[i], 0);
     }
   }
 }
 
-TEST(FindRim, IsTheSameHoweverTheScanIsTurned) {
+TEST(FindFracture, IsTheSameHoweverTheScanIsTurned) {
   const PointCloud cloud = test::box(0, 0, 30, 24, 6);
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   turn.rotate(Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, -2, 0.5).normalized()));
-  const auto a = findRim(cloud, {}), b = findRim(transformed(cloud, turn), {});
+  const auto a = findFracture(cloud, {}), b = findFracture(transformed(cloud, turn), {});
   int different = 0;
   for (std::size_t i = 0; i < a.size(); ++i) different += a[i] != b[i];
   EXPECT_LT(different, static_cast<int>(cloud.size() / 20));  // the raster's cells turn too
 }
 
-TEST(FindRim, IsEmptyWithoutNormals) {
+TEST(FindFracture, IsEmptyWithoutNormals) {
   PointCloud cloud = test::box(0, 0, 30, 30, 6);
   cloud.normals.clear();
-  for (const std::uint8_t r : findRim(cloud, {})) EXPECT_EQ(r, 0);
+  for (const std::uint8_t r : findFracture(cloud, {})) EXPECT_EQ(r, 0);
 }
 
 TEST(EstimateUp, FacesTheViewer) {

@@ -5,7 +5,7 @@
 namespace ostraka::pairing {
 
 /// What one registered candidate says.
-struct RimFigures {
+struct FractureFigures {
   int front = 0, back = 0;
   double outline_log_likelihood = 0;  ///< of the start that the registration came from
   double misfit_mm = 0;               ///< how far the two breaks differ; above 0
@@ -18,7 +18,7 @@ struct RimFigures {
 /// outlines alone make certain. Some of them may be strays, two sherds of like outlines whose other
 /// sides are not there: how many is unknown too, so one that fits far worse than the others is
 /// suspected, and then the others a little more. One registration in a hundred fails on a true
-/// pair, so a bad rim never says more than -4.6.
-std::vector<double> rimLogLikelihoods(std::span<const RimFigures> candidates);
+/// pair, so a bad fracture never says more than -4.6.
+std::vector<double> fractureLogLikelihoods(std::span<const FractureFigures> candidates);
 
 }  // namespace ostraka::pairing

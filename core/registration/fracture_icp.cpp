@@ -1,4 +1,4 @@
-#include "registration/rim_icp.h"
+#include "registration/fracture_icp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ class Frame {
     across_ = up.cross(side_);
   }
   void add(const Vector3d& p, const Vector3d& q, const Vector3d& n, double weight,
-           const RimPairing& pairing, Sums& sums) const {
+           const FracturePairing& pairing, Sums& sums) const {
     const double r = n.dot(q - p);
     sums.residuals.push_back(r);
     const double u = r / pairing.robust_mm, free = 1 - u * u;
@@ -52,7 +52,7 @@ class Frame {
 
 void asked(const StripLevel& from, const StripLevel& to, const Eigen::Isometry3d& to_from_from,
            const Eigen::Isometry3d& front_from_from, const Eigen::Isometry3d& front_from_to,
-           bool from_is_front, const RimPairing& pairing, const Frame& frame, Sums& sums) {
+           bool from_is_front, const FracturePairing& pairing, const Frame& frame, Sums& sums) {
   const Eigen::Matrix3f turn = to_from_from.linear().cast<float>();
   const Vector3f shift = to_from_from.translation().cast<float>();
   const float radius = static_cast<float>(pairing.radius_mm);
@@ -82,15 +82,15 @@ double robustSigma(std::vector<double> values) {
 
 }  // namespace
 
-RimFit fitRim(const StripLevel& front, const StripLevel& back, const Vector3d& front_up,
-              const Eigen::Isometry3d& front_from_back, const Vector3d& pivot,
-              double radius_of_sherd_mm, const RimPairing& pairing) {
+FractureFit fitFracture(const StripLevel& front, const StripLevel& back, const Vector3d& front_up,
+                        const Eigen::Isometry3d& front_from_back, const Vector3d& pivot,
+                        double radius_of_sherd_mm, const FracturePairing& pairing) {
   const Frame frame(front_up, pivot, radius_of_sherd_mm);
   const Eigen::Isometry3d same = Eigen::Isometry3d::Identity();
   Sums sums;
   asked(back, front, front_from_back, front_from_back, same, false, pairing, frame, sums);
   asked(front, back, front_from_back.inverse(), same, front_from_back, true, pairing, frame, sums);
-  RimFit fit;
+  FractureFit fit;
   const double count = static_cast<double>(front.points.size() + back.points.size());
   fit.pairs = static_cast<int>(sums.residuals.size());
   fit.overlap = fit.pairs / std::max(1.0, count);

@@ -27,7 +27,7 @@ using catalogue::Project;
 using exchange::Form;
 
 constexpr const char* kProgram = "ostraka " OSTRAKA_VERSION;
-const catalogue::Act kAct = {{}, "command line", {}};
+const catalogue::Provenance kAct = {{}, "command line", {}};
 
 struct Options {
   fs::path project, other, output, refusals;

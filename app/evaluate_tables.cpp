@@ -93,8 +93,8 @@ std::string table(const ModelFigures& f) {
 std::string table(const CloudFigures& figures, const std::string& side) {
   return "cloud of the " + side + ":\n" + partLine("flat", figures.flat) +
          partLine("strip", figures.strip) +
-         words("  stray (over 2 mm from any sherd): %.2f %% of %zu points\n", figures.stray_percent,
-               figures.points);
+         words("  outliers (over 2 mm from any sherd): %.2f %% of %zu points\n",
+               figures.outlier_percent, figures.points);
 }
 
 std::string table(const PairsEvaluation& set) {
@@ -189,7 +189,7 @@ ordered_json toJson(const BatchEvaluation& batch) {
 
 ordered_json toJson(const CloudFigures& figures) {
   return {{"points", figures.points},
-          {"stray_pct", figures.stray_percent},
+          {"stray_pct", figures.outlier_percent},
           {"flat", partJson(figures.flat)},
           {"strip", partJson(figures.strip)}};
 }

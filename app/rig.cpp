@@ -133,7 +133,8 @@ void addSimulate(CLI::App& rig, Command& chosen) {
   command->add_option("--fstop", options->fstop,
                       "Depth of field at this f-number; 0: everything sharp");
   command->add_flag("--scramble", options->scramble, "The sherds change places at the flip");
-  command->add_option("--lookalikes", options->lookalikes, "Groups of two that look alike")
+  command
+      ->add_option("--near-duplicates", options->near_duplicates, "Groups of two that look alike")
       ->capture_default_str();
   command->add_option("--touching", options->touching, "Pairs of sherds that touch each other")
       ->capture_default_str();

@@ -1326,7 +1326,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CaptureStation</name>
+    <name>ostraka::ui::CaptureScreen</name>
     <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1860,7 +1860,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CatalogueStation</name>
+    <name>ostraka::ui::CatalogueScreen</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2313,7 +2313,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ExportStation</name>
+    <name>ostraka::ui::ExportScreen</name>
     <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3019,7 +3019,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::MapStation</name>
+    <name>ostraka::ui::MapScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3513,7 +3513,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::QueueStation</name>
+    <name>ostraka::ui::QueueScreen</name>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3659,7 +3659,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Rail</name>
+    <name>ostraka::ui::Sidebar</name>
     <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3850,7 +3850,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ReviewStation</name>
+    <name>ostraka::ui::ReviewScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -8754,7 +8754,7 @@
       <translation>Die Breite muss zwischen 160 und 8192 Pixeln liegen und durch 4 teilbar sein.</translation>
     </message>
     <message>
-      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gleich aussehende Scherben sind Paare: höchstens halb so viele wie Scherben.</translation>
     </message>
@@ -8879,12 +8879,12 @@
       <translation>Der Durchgang ist nicht zu Ende gerechnet; lassen Sie die Warteschlange ihn rechnen, dann können seine Paare angesehen werden.</translation>
     </message>
     <message>
-      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde neu aufgenommen, nachdem die Maske verbessert war; die Striche auf der früheren Aufnahme sind weggelassen. Sehen Sie die Maske an.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
     </message>

@@ -115,7 +115,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CaptureStation</name>
+    <name>ostraka::ui::CaptureScreen</name>
     <message numerus="yes">
       <source>%1: %n file(s) imported; it is in the queue.</source>
       <translation>
@@ -163,7 +163,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CatalogueStation</name>
+    <name>ostraka::ui::CatalogueScreen</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translation>
@@ -228,7 +228,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ExportStation</name>
+    <name>ostraka::ui::ExportScreen</name>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
       <translation>
@@ -299,7 +299,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::MapStation</name>
+    <name>ostraka::ui::MapScreen</name>
     <message numerus="yes">
       <source>%n label(s) are sent to the printer.</source>
       <translation>
@@ -326,7 +326,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::QueueStation</name>
+    <name>ostraka::ui::QueueScreen</name>
     <message numerus="yes">
       <source>%n batch(es) stopped and need you</source>
       <translation>
@@ -336,7 +336,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ReviewStation</name>
+    <name>ostraka::ui::ReviewScreen</name>
     <message numerus="yes">
       <source>%n pair(s) to review</source>
       <translation>

@@ -1326,7 +1326,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CaptureStation</name>
+    <name>ostraka::ui::CaptureScreen</name>
     <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1855,7 +1855,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CatalogueStation</name>
+    <name>ostraka::ui::CatalogueScreen</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2308,7 +2308,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ExportStation</name>
+    <name>ostraka::ui::ExportScreen</name>
     <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3014,7 +3014,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::MapStation</name>
+    <name>ostraka::ui::MapScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3508,7 +3508,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::QueueStation</name>
+    <name>ostraka::ui::QueueScreen</name>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3654,7 +3654,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Rail</name>
+    <name>ostraka::ui::Sidebar</name>
     <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3845,7 +3845,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ReviewStation</name>
+    <name>ostraka::ui::ReviewScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -8749,7 +8749,7 @@
       <translation>El ancho debe estar entre 160 y 8192 píxeles y ser divisible entre 4.</translation>
     </message>
     <message>
-      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los fragmentos parecidos son grupos de dos: como mucho la mitad del número de fragmentos.</translation>
     </message>
@@ -8874,12 +8874,12 @@
       <translation>La tanda no está calculada hasta el final; deje que la cola la calcule y después se podrán ver sus parejas.</translation>
     </message>
     <message>
-      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se tomó de nuevo después de corregir su máscara; los trazos sobre la fotografía anterior se dejan fuera. Revise su máscara.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten las uniones con filas que no entraron: %1; importe la tabla otra vez cuando esas filas estén corregidas.</translation>
     </message>

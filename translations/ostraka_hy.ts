@@ -1326,7 +1326,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CaptureStation</name>
+    <name>ostraka::ui::CaptureScreen</name>
     <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1855,7 +1855,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CatalogueStation</name>
+    <name>ostraka::ui::CatalogueScreen</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2308,7 +2308,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ExportStation</name>
+    <name>ostraka::ui::ExportScreen</name>
     <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3014,7 +3014,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::MapStation</name>
+    <name>ostraka::ui::MapScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3508,7 +3508,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::QueueStation</name>
+    <name>ostraka::ui::QueueScreen</name>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3654,7 +3654,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Rail</name>
+    <name>ostraka::ui::Sidebar</name>
     <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3845,7 +3845,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ReviewStation</name>
+    <name>ostraka::ui::ReviewScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -8749,7 +8749,7 @@
       <translation>Լայնությունը պետք է լինի 160-ից 8192 պիքսել և բաժանվի 4-ի։</translation>
     </message>
     <message>
-      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Իրար նման բեկորները զույգեր են՝ առավելագույնը բեկորների թվի կեսը։</translation>
     </message>
@@ -8874,12 +8874,12 @@
       <translation>Խմբաքանակը մինչև վերջ հաշվարկված չէ. թողեք, որ հերթը հաշվարկի այն, ապա դրա զույգերը կարելի կլինի դիտել։</translation>
     </message>
     <message>
-      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը նորից է նկարվել իր դիմակը շտկելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Նայեք դրա դիմակը։</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
     </message>

@@ -1309,7 +1309,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CaptureStation</name>
+    <name>ostraka::ui::CaptureScreen</name>
     <message>
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1832,7 +1832,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::CatalogueStation</name>
+    <name>ostraka::ui::CatalogueScreen</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2277,7 +2277,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ExportStation</name>
+    <name>ostraka::ui::ExportScreen</name>
     <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2975,7 +2975,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::MapStation</name>
+    <name>ostraka::ui::MapScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3466,7 +3466,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::QueueStation</name>
+    <name>ostraka::ui::QueueScreen</name>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3611,7 +3611,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Rail</name>
+    <name>ostraka::ui::Sidebar</name>
     <message>
       <source>%1  %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3802,7 +3802,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::ReviewStation</name>
+    <name>ostraka::ui::ReviewScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -8701,7 +8701,7 @@
       <translation>Genişlik 160 ile 8192 piksel arasında olmalı ve 4’e bölünmeli.</translation>
     </message>
     <message>
-      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birbirine benzeyenler ikişerli gruplardır: en çok parça sayısının yarısı kadar.</translation>
     </message>
@@ -8826,12 +8826,12 @@
       <translation>Parti sonuna kadar hesaplanmadı; kuyruğun onu hesaplamasını bekleyin, sonra eşlerine bakılabilir.</translation>
     </message>
     <message>
-      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, maskesi düzeltildikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>

@@ -134,7 +134,7 @@ Result<void> Series::readReferences() {
       if (entry == nullptr || !entry->checked) continue;
       const Result<std::string> bytes = readFile(store_->fileOf(*entry));
       if (!bytes) continue;
-      if (const auto look = lookAtPlate(*bytes, devices_.plate, kSequenceLook))
+      if (const auto look = inspectPlate(*bytes, devices_.plate, kSequenceInspection))
         learn(reference, *look, angleOf(s));
     }
   });

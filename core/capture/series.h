@@ -16,7 +16,7 @@
 namespace ostraka::capture {
 
 /// Whether sherds lie too close is asked before the first shot, and by checkSide after the last.
-inline const LookOptions kSequenceLook{.too_close_mm = 0};
+inline const InspectionOptions kSequenceInspection{.too_close_mm = 0};
 
 /// One side being photographed: what shootSide does, step by step.
 class Series {
@@ -58,7 +58,7 @@ class Series {
     CameraReference reference;
     Trust trust = Trust::Proven;
     std::string proof;  ///< the throw-away exposure's bytes, not yet looked at
-    std::optional<PlateLook> proof_look;
+    std::optional<PlateInspection> probe_inspection;
     double proof_deg = 0;                         ///< where the table stood then, as a stop's angle
     int blind_proofs = 0;                         ///< without enough markers
     std::map<std::string, std::string> settings;  ///< read before the coming shot
@@ -78,9 +78,9 @@ class Series {
   std::vector<int> doubted(const Task& task) const;
   Result<void> takeProofs(std::vector<int> cameras, const Task& task);
   void lookAtProof(int camera);
-  bool provenBy(Watch& watch, const PlateLook& look, double angle_deg) const;
+  bool provenBy(Watch& watch, const PlateInspection& look, double angle_deg) const;
   Result<void> keepAndCheck();
-  void judgeShot(Shot& shot, std::shared_ptr<const MappedLook> look, bool old);
+  void judgeShot(Shot& shot, std::shared_ptr<const MappedInspection> look, bool old);
   Result<void> takeVerdicts();
   Result<void> refuse(const Shot& shot);
   Result<void> correctZero(const std::vector<Shot>& shots);
@@ -105,7 +105,7 @@ class Series {
   std::deque<Task> tasks_;
   std::vector<Shot> shots_;                   ///< of the last stop, until their verdicts are taken
   std::map<std::pair<int, int>, int> tries_;  ///< by stop and camera
-  std::map<std::pair<int, int>, std::shared_ptr<const MappedLook>> looks_;  ///< of kept shots
+  std::map<std::pair<int, int>, std::shared_ptr<const MappedInspection>> looks_;  ///< of kept shots
   double zero_deg_ = 0;                     ///< of the plate against the table, by the markers
   std::optional<double> doubted_zero_deg_;  ///< seen once; believed when it is seen again
   bool zero_unknown_ = false;               ///< the table restarted: the markers will tell

@@ -14,7 +14,7 @@ constexpr double kMostTurnError_deg = 0.5;
 constexpr double kSamePlace_mm = 1;  // of a sherd in two looks of one camera at a plate at rest
 
 // Two photographs of one camera at one angle: do the sherds lie at the same places?
-bool sameSherds(const PlateLook& a, const PlateLook& b) {
+bool sameSherds(const PlateInspection& a, const PlateInspection& b) {
   std::size_t same = 0;
   for (const SeenSherd& s : a.sherds)
     same += std::any_of(b.sherds.begin(), b.sherds.end(), [&](const SeenSherd& other) {
@@ -30,9 +30,10 @@ const CameraFile* photographIn(const std::vector<CameraFile>& files) {
 }
 
 // nullptr: no whole picture.
-std::shared_ptr<const MappedLook> lookAtBytes(const std::string& bytes, const batch::Plate& plate) {
-  Result<MappedLook> look = lookAndMap(bytes, plate, kSequenceLook);
-  return look ? std::make_shared<const MappedLook>(std::move(*look)) : nullptr;
+std::shared_ptr<const MappedInspection> lookAtBytes(const std::string& bytes,
+                                                    const batch::Plate& plate) {
+  Result<MappedInspection> look = inspectAndMap(bytes, plate, kSequenceInspection);
+  return look ? std::make_shared<const MappedInspection>(std::move(*look)) : nullptr;
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
       Watch& watch = watches_[static_cast<std::size_t>(shot.camera)];
       if (fresh) {
         watch.proof = photograph->bytes;
-        watch.proof_look.reset();
+        watch.probe_inspection.reset();
         watch.proof_deg = angleOf(task.stop) - before_deg;
         watch.trust = Trust::Awaiting;
       } else {
@@ -114,25 +115,27 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
 
 void Series::lookAtProof(int camera) {
   Watch& watch = watches_[static_cast<std::size_t>(camera)];
-  watch.proof_look.reset();
-  if (const auto mapped = lookAtBytes(watch.proof, devices_.plate)) watch.proof_look = mapped->look;
+  watch.probe_inspection.reset();
+  if (const auto mapped = lookAtBytes(watch.proof, devices_.plate))
+    watch.probe_inspection = mapped->look;
   watch.proof.clear();
-  if (watch.proof_look && watch.proof_look->pixel_from_plate) return;
+  if (watch.probe_inspection && watch.probe_inspection->pixel_from_plate) return;
   // Nothing can be told from it. Again, but not for ever: a camera may be turned away from the
   // markers, and each of its photographs is flagged for that.
   watch.trust = ++watch.blind_proofs < options_.tries_per_shot ? Trust::Doubted : Trust::Proven;
 }
 
 // Was the plate turned between the throw-away exposure and this one as the table was?
-bool Series::provenBy(Watch& watch, const PlateLook& look, double angle_deg) const {
-  if (!watch.proof_look) return false;
-  const std::optional<double> turn = turnBetween_deg(*watch.proof_look, look);
+bool Series::provenBy(Watch& watch, const PlateInspection& look, double angle_deg) const {
+  if (!watch.probe_inspection) return false;
+  const std::optional<double> turn = turnBetween_deg(*watch.probe_inspection, look);
   if (!turn) return false;
   const double off = std::remainder(*turn - (angle_deg - watch.proof_deg), 360);
   if (std::abs(off) > kMostTurnError_deg) return false;
-  if (!devices_.turntable->turnsItself() && !sameSherds(*watch.proof_look, look)) return false;
+  if (!devices_.turntable->turnsItself() && !sameSherds(*watch.probe_inspection, look))
+    return false;
   watch.trust = Trust::Proven;
-  watch.proof_look.reset();
+  watch.probe_inspection.reset();
   return true;
 }
 
@@ -141,7 +144,7 @@ bool Series::provenBy(Watch& watch, const PlateLook& look, double angle_deg) con
 Result<void> Series::keepAndCheck() {
   struct Kept {
     Result<Arriving> arriving = Arriving{};
-    std::shared_ptr<const MappedLook> look;
+    std::shared_ptr<const MappedInspection> look;
     bool old = false;
   };
   std::vector<int> proofs;
@@ -191,8 +194,8 @@ Result<void> Series::keepAndCheck() {
   return {};
 }
 
-void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedLook> mapped, bool old) {
-  const PlateLook* look = mapped ? &mapped->look : nullptr;
+void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedInspection> mapped, bool old) {
+  const PlateInspection* look = mapped ? &mapped->look : nullptr;
   Watch& watch = watches_[static_cast<std::size_t>(shot.camera)];
   shot.files.clear();
   shot.judged = true;

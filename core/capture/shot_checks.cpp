@@ -67,7 +67,7 @@ std::vector<std::string> ShotCheck::sentences() const {
   return all;
 }
 
-ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& reference,
+ShotCheck judge(const PlateInspection& look, double angle_deg, const CameraReference& reference,
                 const JudgeOptions& options) {
   ShotCheck check;
   check.markers_seen = look.markers_seen;
@@ -105,7 +105,7 @@ ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& 
   return check;
 }
 
-void learn(CameraReference& reference, const PlateLook& look, double angle_deg) {
+void learn(CameraReference& reference, const PlateInspection& look, double angle_deg) {
   if (!reference.look && look.pixel_from_plate) {
     reference.look = look;
     reference.angle_deg = angle_deg;

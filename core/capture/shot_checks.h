@@ -46,7 +46,7 @@ struct PlateMark {
 };
 
 /// What one picture (a preview or a photograph) shows of the plate.
-struct PlateLook {
+struct PlateInspection {
   int width = 0, height = 0;  ///< pixels of the picture
   int markers_seen = 0, markers_on_plate = 0;
   /// Those that are seen and, once the plate's place is known, those within the frame that are not.
@@ -61,7 +61,7 @@ struct PlateLook {
   std::optional<Eigen::Matrix3d> pixel_from_plate;
 };
 
-struct LookOptions {
+struct InspectionOptions {
   int work_width_px = 1600;  ///< larger pictures are made smaller, but for the sharpness
   /// Of the plate seen between two outlines; a wall of 10 mm hides as much from 60 degrees above.
   /// 0: nobody asks, which takes half the time.
@@ -72,8 +72,8 @@ struct LookOptions {
 };
 
 /// Looks at an encoded picture (JPEG, PNG, TIFF). Errors: UnusableInput, not decodable or cut off.
-Result<PlateLook> lookAtPlate(std::string_view picture, const batch::Plate& plate,
-                              const LookOptions& options);
+Result<PlateInspection> inspectPlate(std::string_view picture, const batch::Plate& plate,
+                                     const InspectionOptions& options);
 
 /// How many of a plate's markers a picture must show before anybody shoots: half of them, so that a
 /// hand or a sherd before some does no harm, and never fewer than the plate's place takes.
@@ -82,14 +82,14 @@ int markersNeeded(int on_plate);
 /// By how many degrees the plate turned, counter-clockwise from above, between two pictures of one
 /// camera that stands still; -180..180. No calibration is needed: the plate turns in its own plane.
 /// Nothing when either shows too few markers.
-std::optional<double> turnBetween_deg(const PlateLook& before, const PlateLook& after);
+std::optional<double> turnBetween_deg(const PlateInspection& before, const PlateInspection& after);
 
 /// The verdict on one photograph.
 struct ShotCheck {
   std::vector<ShotProblem> problems;
   int markers_seen = 0, markers_on_plate = 0;
   int sherds = 0;
-  double sharpness = 0;                  ///< as PlateLook
+  double sharpness = 0;                  ///< as PlateInspection
   std::optional<double> angle_seen_deg;  ///< absolute, as the stop's angle
   bool good() const { return problems.empty(); }
   bool has(ShotProblem problem) const;
@@ -105,10 +105,10 @@ struct ShotCheck {
 
 /// What one camera's photographs of a side have shown so far.
 struct CameraReference {
-  std::optional<PlateLook> look;  ///< of a kept photograph with enough markers
-  double angle_deg = 0;           ///< of that stop
-  double sharpness = 0;           ///< of the sharpest so far
-  int markers_seen = 0;           ///< most so far
+  std::optional<PlateInspection> look;  ///< of a kept photograph with enough markers
+  double angle_deg = 0;                 ///< of that stop
+  double sharpness = 0;                 ///< of the sharpest so far
+  int markers_seen = 0;                 ///< most so far
 };
 
 struct JudgeOptions {
@@ -121,10 +121,10 @@ struct JudgeOptions {
 };
 
 /// angle_deg: of the stop at which it was taken.
-ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& reference,
+ShotCheck judge(const PlateInspection& look, double angle_deg, const CameraReference& reference,
                 const JudgeOptions& options);
 /// A kept photograph joins what the next ones are judged by.
-void learn(CameraReference& reference, const PlateLook& look, double angle_deg);
+void learn(CameraReference& reference, const PlateInspection& look, double angle_deg);
 
 /// Before the flip and before clearing, from the photographs of a side.
 struct SideCheck {
@@ -141,6 +141,7 @@ struct SideCheck {
 /// sherds turn with the plate. photographs: the side's files by camera, in the order of the stops.
 /// About 0.1 s a photograph of that camera. Unreadable files are left out.
 SideCheck checkSide(const std::vector<std::vector<std::filesystem::path>>& photographs,
-                    const batch::Plate& plate, const LookOptions& options, std::stop_token stop);
+                    const batch::Plate& plate, const InspectionOptions& options,
+                    std::stop_token stop);
 
 }  // namespace ostraka::capture

@@ -31,22 +31,23 @@ double steepness(const Eigen::Matrix3d& pixel_from_plate) {
 using Photographs = std::vector<std::vector<SidePhotograph>>;
 
 // nullptr: unreadable, or the plate's place is not seen.
-std::shared_ptr<const MappedLook> lookOf(const SidePhotograph& photograph,
-                                         const batch::Plate& plate, const LookOptions& options) {
-  std::shared_ptr<const MappedLook> look = photograph.look;
+std::shared_ptr<const MappedInspection> lookOf(const SidePhotograph& photograph,
+                                               const batch::Plate& plate,
+                                               const InspectionOptions& options) {
+  std::shared_ptr<const MappedInspection> look = photograph.look;
   if (!look) {
     const Result<std::string> bytes = readFile(photograph.file);
     if (!bytes) return nullptr;
-    Result<MappedLook> mapped = lookAndMap(*bytes, plate, options);
+    Result<MappedInspection> mapped = inspectAndMap(*bytes, plate, options);
     if (!mapped) return nullptr;
-    look = std::make_shared<const MappedLook>(std::move(*mapped));
+    look = std::make_shared<const MappedInspection>(std::move(*mapped));
   }
   return look->look.pixel_from_plate ? look : nullptr;
 }
 
 // The camera that looks down most steeply, by its first photograph with markers; -1: none.
 int steepestCamera(const Photographs& photographs, const batch::Plate& plate,
-                   const LookOptions& options, std::stop_token stop) {
+                   const InspectionOptions& options, std::stop_token stop) {
   int best = -1;
   double most = 0;
   for (std::size_t c = 0; c < photographs.size(); ++c)
@@ -94,7 +95,7 @@ struct Looks {
 
 // Nothing: stopped.
 std::optional<Looks> looksOf(const std::vector<SidePhotograph>& photographs,
-                             const batch::Plate& plate, const LookOptions& options,
+                             const batch::Plate& plate, const InspectionOptions& options,
                              std::stop_token stop) {
   Looks looks;
   for (const SidePhotograph& photograph : photographs) {
@@ -141,7 +142,7 @@ SideCheck uncounted() {
 }  // namespace
 
 SideCheck checkSide(const std::vector<std::vector<fs::path>>& files, const batch::Plate& plate,
-                    const LookOptions& options, std::stop_token stop) {
+                    const InspectionOptions& options, std::stop_token stop) {
   Photographs photographs(files.size());
   for (std::size_t c = 0; c < files.size(); ++c)
     for (const fs::path& file : files[c]) photographs[c].push_back({file, nullptr});
@@ -149,7 +150,7 @@ SideCheck checkSide(const std::vector<std::vector<fs::path>>& files, const batch
 }
 
 SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
-                    const LookOptions& options, std::stop_token stop) {
+                    const InspectionOptions& options, std::stop_token stop) {
   SideCheck side;
   const int camera = steepestCamera(photographs, plate, options, stop);
   if (camera < 0) return uncounted();

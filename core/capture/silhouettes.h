@@ -59,21 +59,22 @@ bool hasOppositeNotches(const MapPiece& piece);
 /// opposite notches. Never counted on.
 bool mayBeSeveral(const MapPiece& piece);
 
-/// lookAtPlate with the map that it counted on; an empty map where the plate's place is not seen.
-struct MappedLook {
-  PlateLook look;
+/// inspectPlate with the map that it counted on; an empty map where the plate's place is not seen.
+struct MappedInspection {
+  PlateInspection look;
   PlateMap map;
 };
-Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plate,
-                              const LookOptions& options);
+Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Plate& plate,
+                                       const InspectionOptions& options);
 
 /// A photograph of a side; without a look it is read from its file.
 struct SidePhotograph {
   std::filesystem::path file;
-  std::shared_ptr<const MappedLook> look;
+  std::shared_ptr<const MappedInspection> look;
 };
 /// As checkSide of shot_checks.h, without looking again at what was looked at.
 SideCheck checkSide(const std::vector<std::vector<SidePhotograph>>& photographs,
-                    const batch::Plate& plate, const LookOptions& options, std::stop_token stop);
+                    const batch::Plate& plate, const InspectionOptions& options,
+                    std::stop_token stop);
 
 }  // namespace ostraka::capture

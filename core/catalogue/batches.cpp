@@ -86,7 +86,7 @@ Result<std::string> Catalogue::nextBatchNumber() const {
   return database_->door([&] { return nextNumber(*database_); });
 }
 
-Result<BatchRow> Catalogue::addBatch(const BatchRecord& wanted, const Act& act) {
+Result<BatchRow> Catalogue::addBatch(const BatchRecord& wanted, const Provenance& provenance) {
   return database_->inTransaction([&] {
     BatchRecord b = wanted;
     if (b.number.empty()) b.number = nextNumber(*database_);
@@ -100,23 +100,24 @@ Result<BatchRow> Catalogue::addBatch(const BatchRecord& wanted, const Act& act) 
             "operator, counted, state, started_ms, ended_ms, reprojection_px, scale_error_pct, "
             "scale_doubts, rig_sha256, program, settings_sha256, note) VALUES (?, ?, ?, ?, ?, ?, "
             "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(b.id.empty() ? newId(now()) : b.id, now(), act.person, now(), act.person, b.number,
-              b.operator_, b.counted, wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256, b.note)
+        .with(b.id.empty() ? newId(now()) : b.id, now(), provenance.person, now(),
+              provenance.person, b.number, b.operator_, b.counted, wordOf(b.state), b.started_ms,
+              b.ended_ms, b.reprojection_px, b.scale_error_pct, b.scale_doubts, b.rig_sha256,
+              b.program, b.settings_sha256, b.note)
         .run();
     const BatchRow row{database_->lastRow()};
     setBags(*database_, row, b.bags);
-    remember(*this, act, "batch", row.value, "", "", b.number);
+    remember(*this, provenance, "batch", row.value, "", "", b.number);
     return row;
   });
 }
 
-Result<void> Catalogue::saveBatch(const BatchRecord& b, const Act& act) {
+Result<void> Catalogue::saveBatch(const BatchRecord& b, const Provenance& provenance) {
   return database_->inTransaction([&] {
     checkBatch(b);
     const std::string old_bags = bagsText(bagsOf(*database_, b.row));
     bool changed =
-        rememberDifferences(*this, act, "batch", b.row.value,
+        rememberDifferences(*this, provenance, "batch", b.row.value,
                             {{"operator", b.operator_ ? std::to_string(b.operator_.value) : ""},
                              {"counted", std::to_string(b.counted)},
                              {"state", wordOf(b.state)},
@@ -130,7 +131,7 @@ Result<void> Catalogue::saveBatch(const BatchRecord& b, const Act& act) {
                              {"settings_sha256", b.settings_sha256},
                              {"note", b.note}});
     if (old_bags != bagsText(b.bags)) {
-      remember(*this, act, "batch", b.row.value, "bags", old_bags, bagsText(b.bags));
+      remember(*this, provenance, "batch", b.row.value, "bags", old_bags, bagsText(b.bags));
       setBags(*database_, b.row, b.bags);
       changed = true;
     }
@@ -144,19 +145,21 @@ Result<void> Catalogue::saveBatch(const BatchRecord& b, const Act& act) {
             "+ 1 WHERE row = ?")
         .with(b.operator_, b.counted, wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
               b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256, b.note,
-              now(), act.person, b.row)
+              now(), provenance.person, b.row)
         .run();
   });
 }
 
-Result<void> Catalogue::setBatchState(BatchRow row, BatchState state, const Act& act) {
+Result<void> Catalogue::setBatchState(BatchRow row, BatchState state,
+                                      const Provenance& provenance) {
   return database_->inTransaction([&] {
-    if (!rememberDifferences(*this, act, "batch", row.value, {{"state", wordOf(state)}})) return;
+    if (!rememberDifferences(*this, provenance, "batch", row.value, {{"state", wordOf(state)}}))
+      return;
     database_
         ->sql(
             "UPDATE batch SET state = ?, updated_at = ?, updated_by = ?, revision = revision + 1 "
             "WHERE row = ?")
-        .with(wordOf(state), now(), act.person, row)
+        .with(wordOf(state), now(), provenance.person, row)
         .run();
   });
 }
@@ -194,7 +197,7 @@ Result<std::optional<BatchRecord>> Catalogue::batchById(const std::string& id) c
   });
 }
 
-Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Act& act) {
+Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const Result<std::string> path = checkedPath(p.path);
     if (!path) throw Refused(path.error());
@@ -213,12 +216,13 @@ Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Act& act)
               "INSERT INTO photograph (id, created_at, created_by, updated_at, updated_by, "
               "batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, used, "
               "reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(newId(now()), now(), act.person, now(), act.person, p.batch, wordOf(p.side), camera,
-                p.stop, p.take, *path, p.serial, exif, p.angle_deg, p.sharpness, p.used, p.reason)
+          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.batch,
+                wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif, p.angle_deg,
+                p.sharpness, p.used, p.reason)
           .run();
       return PhotographRow{database_->lastRow()};
     }
-    if (rememberDifferences(*this, act, "photograph", row,
+    if (rememberDifferences(*this, provenance, "photograph", row,
                             {{"path", *path},
                              {"serial", p.serial},
                              {"exif", exif},
@@ -232,7 +236,7 @@ Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Act& act)
               "?, used = ?, reason = ?, updated_at = ?, updated_by = ?, revision = revision + 1 "
               "WHERE row = ?")
           .with(*path, p.serial, exif, p.angle_deg, p.sharpness, p.used, p.reason, now(),
-                act.person, row)
+                provenance.person, row)
           .run();
     return PhotographRow{row};
   });
@@ -258,7 +262,7 @@ Result<std::vector<PhotographRecord>> Catalogue::photographs(BatchRow batch) con
   });
 }
 
-Result<ScanRow> Catalogue::save(const ScanRecord& s, const Act& act) {
+Result<ScanRow> Catalogue::save(const ScanRecord& s, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const Result<std::string> path = checkedPath(s.path);
     if (!path) throw Refused(path.error());
@@ -276,12 +280,13 @@ Result<ScanRow> Catalogue::save(const ScanRecord& s, const Act& act) {
               "INSERT INTO scan (id, created_at, created_by, updated_at, updated_by, batch, "
               "side, position, name, path, points, coverage_pct, plate_x_mm, plate_y_mm) VALUES "
               "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(newId(now()), now(), act.person, now(), act.person, s.batch, wordOf(s.side),
-                s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm)
+          .with(newId(now()), now(), provenance.person, now(), provenance.person, s.batch,
+                wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm,
+                s.plate_y_mm)
           .run();
       return ScanRow{database_->lastRow()};
     }
-    if (rememberDifferences(*this, act, "scan", row,
+    if (rememberDifferences(*this, provenance, "scan", row,
                             {{"name", s.name},
                              {"path", *path},
                              {"points", points},
@@ -294,7 +299,7 @@ Result<ScanRow> Catalogue::save(const ScanRecord& s, const Act& act) {
               "plate_x_mm = ?, plate_y_mm = ?, updated_at = ?, updated_by = ?, revision = revision "
               "+ 1 WHERE row = ?")
           .with(s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm, now(),
-                act.person, row)
+                provenance.person, row)
           .run();
     return ScanRow{row};
   });

@@ -58,7 +58,7 @@ Result<ProjectRecord> Catalogue::project() const {
   });
 }
 
-Result<void> Catalogue::setProject(const ProjectRecord& p, const Act& act) {
+Result<void> Catalogue::setProject(const ProjectRecord& p, const Provenance& provenance) {
   if (!isProjectCode(p.code))
     return Error{ErrorCode::UnusableInput,
                  "The project's code must be 2 to 8 capital letters or digits, as ARM.", p.code};
@@ -72,7 +72,8 @@ Result<void> Catalogue::setProject(const ProjectRecord& p, const Act& act) {
               "INSERT INTO project (row, id, created_at, created_by, updated_at, updated_by, "
               "code, title, institution, licence, rights_holder, numbering, word_for_context) "
               "VALUES (1, ?, ?, ?, ?, ?, ?, '', '', '', '', ?, '')")
-          .with(newId(now()), now(), act.person, now(), act.person, p.code, p.numbering)
+          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.code,
+                p.numbering)
           .run();
       for (const StartingVocabulary& vocabulary : startingVocabularies())
         for (std::size_t i = 0; i < vocabulary.terms.size(); ++i)
@@ -81,7 +82,7 @@ Result<void> Catalogue::setProject(const ProjectRecord& p, const Act& act) {
                     nlohmann::json(vocabulary.terms[i].labels).dump(), vocabulary.terms[i].uri)
               .run();
     }
-    rememberDifferences(*this, act, "project", 1,
+    rememberDifferences(*this, provenance, "project", 1,
                         {{"code", p.code},
                          {"title", p.title},
                          {"institution", p.institution},
@@ -95,7 +96,7 @@ Result<void> Catalogue::setProject(const ProjectRecord& p, const Act& act) {
             "rights_holder = ?, numbering = ?, word_for_context = ?, updated_at = ?, "
             "updated_by = ?, revision = revision + 1")
         .with(p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering,
-              p.word_for_context, now(), act.person)
+              p.word_for_context, now(), provenance.person)
         .run();
   });
 }
@@ -136,7 +137,7 @@ Result<std::vector<Term>> Catalogue::vocabulary(const std::string& name) const {
 }
 
 Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector<Term>& terms,
-                                      const Act& act) {
+                                      const Provenance& provenance) {
   return database_->inTransaction([&] {
     std::vector<std::string> older, newer;
     {
@@ -175,7 +176,7 @@ Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector
           .with(name, terms[i].term, static_cast<std::int64_t>(i),
                 nlohmann::json(terms[i].labels).dump(), terms[i].uri)
           .run();
-    remember(*this, act, "vocabulary", 0, name, joinTerms(older), joinTerms(newer));
+    remember(*this, provenance, "vocabulary", 0, name, joinTerms(older), joinTerms(newer));
   });
 }
 
@@ -244,8 +245,8 @@ Result<void> Catalogue::together(const std::function<Result<void>()>& work) {
   });
 }
 
-Result<void> Catalogue::inOneMoment(const std::function<Result<void>()>& work) const {
-  return database_->inOneMoment([&] {
+Result<void> Catalogue::inSnapshot(const std::function<Result<void>()>& work) const {
+  return database_->inSnapshot([&] {
     if (const Result<void> done = work(); !done) throw Refused(done.error());
   });
 }

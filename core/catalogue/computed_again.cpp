@@ -23,7 +23,7 @@ bool isComputed(BatchState state) {
 
 // The state that it had when it was queued; Queued when that is not known.
 BatchState stateBefore(const Catalogue& catalogue, BatchRow batch) {
-  const std::vector<HistoryEntry> history = orRefuse(catalogue.history("batch", batch.value));
+  const std::vector<HistoryEntry> history = valueOrThrow(catalogue.history("batch", batch.value));
   const auto queued = std::find_if(history.begin(), history.end(),
                                    [](const HistoryEntry& e) { return e.field == "state"; });
   return queued == history.end() ? BatchState::Queued : fromWord<BatchState>(queued->old_value);
@@ -31,16 +31,17 @@ BatchState stateBefore(const Catalogue& catalogue, BatchRow batch) {
 
 }  // namespace
 
-Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number, const Act& act) {
+Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
+                        const Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    const BatchRecord batch = orRefuse(catalogue.batchByNumber(batch_number));
+    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
     if (batch.state <= BatchState::Back)
       refuse("This batch is being photographed; it is computed when that is done.", batch_number);
     // What waits cannot be told from what is being computed: both are so until their results are
     // entered. Where it only waits, its beginning forgets this.
     if (batch.state == BatchState::Queued || batch.state == BatchState::Computed)
-      orRefuse(catalogue.setSetting(keyOf(batch_number), kAsked));
-    orRefuse(catalogue.setBatchState(batch.row, BatchState::Queued, act));
+      valueOrThrow(catalogue.setSetting(keyOf(batch_number), kAsked));
+    valueOrThrow(catalogue.setBatchState(batch.row, BatchState::Queued, provenance));
   });
 }
 
@@ -50,25 +51,26 @@ Result<void> beginComputing(Catalogue& catalogue, const std::string& batch_numbe
   return asked->empty() ? Result<void>() : catalogue.setSetting(keyOf(batch_number), {});
 }
 
-Result<bool> queueIfAsked(Catalogue& catalogue, const std::string& batch_number, const Act& act) {
+Result<bool> queueIfAsked(Catalogue& catalogue, const std::string& batch_number,
+                          const Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    if (orRefuse(catalogue.setting(keyOf(batch_number))) != kAsked) return false;
-    orRefuse(catalogue.setSetting(keyOf(batch_number), {}));
-    const BatchRecord batch = orRefuse(catalogue.batchByNumber(batch_number));
+    if (valueOrThrow(catalogue.setting(keyOf(batch_number))) != kAsked) return false;
+    valueOrThrow(catalogue.setSetting(keyOf(batch_number), {}));
+    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
     if (!isComputed(batch.state)) return false;
-    orRefuse(catalogue.setBatchState(batch.row, BatchState::Queued, act));
+    valueOrThrow(catalogue.setBatchState(batch.row, BatchState::Queued, provenance));
     return true;
   });
 }
 
 Result<bool> takeOutOfQueue(Catalogue& catalogue, const std::string& batch_number,
-                            const std::filesystem::path& output, const Act& act) {
+                            const std::filesystem::path& output, const Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    const BatchRecord batch = orRefuse(catalogue.batchByNumber(batch_number));
+    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
     if (batch.state != BatchState::Queued || !pipeline::computedToItsEnd(output)) return false;
     const BatchState before = stateBefore(catalogue, batch.row);
     if (!isComputed(before)) return false;
-    orRefuse(catalogue.setBatchState(batch.row, before, act));
+    valueOrThrow(catalogue.setBatchState(batch.row, before, provenance));
     return true;
   });
 }

@@ -43,7 +43,7 @@ class Database {
   }
   /// What is read is of one moment, whatever others write meanwhile; nothing is to be written.
   template <class Work>
-  auto inOneMoment(Work work) -> Result<std::invoke_result_t<Work>> {
+  auto inSnapshot(Work work) -> Result<std::invoke_result_t<Work>> {
     return within("BEGIN DEFERRED", std::move(work));
   }
   /// Where failures become Errors.

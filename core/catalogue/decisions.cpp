@@ -134,9 +134,9 @@ constexpr const char* kNoPartner = "its front has no back any more";
 
 }  // namespace
 
-void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act) {
+void settleSherds(Catalogue& catalogue, BatchRow batch, const Provenance& provenance) {
   Database& database = catalogue.database();
-  const std::vector<PairDecision> counts = orRefuse(catalogue.currentDecisions(batch));
+  const std::vector<PairDecision> counts = valueOrThrow(catalogue.currentDecisions(batch));
   const auto accepted = [&](ScanRow front) -> const PairDecision* {
     for (const PairDecision& d : counts)
       if (d.verdict == Verdict::Accept && d.front == front) return &d;
@@ -151,7 +151,7 @@ void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act) {
     const ScanRow back = pair ? pair->back : ScanRow{};
     if (sherd.back == back) continue;
     database.sql("UPDATE sherd SET back = NULL WHERE row = ?").with(sherd.row).run();
-    forgetModel(catalogue, sherd.row, act);
+    forgetModel(catalogue, sherd.row, provenance);
   }
   for (const Followed& sherd : sherds) {
     const PairDecision* pair = accepted(sherd.front);
@@ -159,16 +159,16 @@ void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act) {
     if (back && sherd.back != back)
       database.sql("UPDATE sherd SET back = ? WHERE row = ?").with(back, sherd.row).run();
     if (sherd.back != back)
-      remember(catalogue, act, "sherd", sherd.row.value, "back",
+      remember(catalogue, provenance, "sherd", sherd.row.value, "back",
                sherd.back ? std::to_string(sherd.back.value) : "",
                back ? std::to_string(back.value) : "");
     // A draft comes and goes with its pair; a number stays with its front.
     const bool draft = sherd.number.empty();
     if (draft && !back && sherd.state == SherdState::Draft)
-      orRefuse(catalogue.voidSherd(sherd.row, kNoPartner, act));
+      valueOrThrow(catalogue.voidSherd(sherd.row, kNoPartner, provenance));
     if (draft && back && sherd.void_reason == kNoPartner) {
       const FieldChange revived{sherd.row, "void_reason", ""};
-      orRefuse(catalogue.change(std::span(&revived, 1), act));
+      valueOrThrow(catalogue.change(std::span(&revived, 1), provenance));
     }
   }
   for (const PairDecision& d : counts) {
@@ -178,7 +178,7 @@ void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act) {
     sherd.front = d.front;
     sherd.back = d.back;
     placeOfBatch(catalogue, batch, sherd);
-    orRefuse(catalogue.addSherd(sherd, act));
+    valueOrThrow(catalogue.addSherd(sherd, provenance));
   }
   database.sql("UPDATE scan SET state = 'open' WHERE batch = ? AND state <> 'open'")
       .with(batch)
@@ -189,10 +189,10 @@ void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act) {
     for (const ScanRow scan : {d.front, d.back})
       if (scan) database.sql("UPDATE scan SET state = ? WHERE row = ?").with(state, scan).run();
   }
-  orRefuse(giveTypedNumbers(catalogue, batch, act));  // those that find no sherd wait
+  valueOrThrow(giveTypedNumbers(catalogue, batch, provenance));  // those that find no sherd wait
 }
 
-Result<DecisionRow> Catalogue::decide(const PairDecision& d, const Act& act) {
+Result<DecisionRow> Catalogue::decide(const PairDecision& d, const Provenance& provenance) {
   return database_->inTransaction([&] {
     checkSide(*database_, d.batch, d.front, "front");
     checkSide(*database_, d.batch, d.back, "back");
@@ -201,16 +201,16 @@ Result<DecisionRow> Catalogue::decide(const PairDecision& d, const Act& act) {
     if (d.verdict == Verdict::Withdraw) {
       Statement row = database_->sql(
           "SELECT 1 FROM pair_decision WHERE row = ? AND batch = ? AND (person IS NULL) = ?");
-      if (!row.with(d.replaces, d.batch, !act.person).next())
+      if (!row.with(d.replaces, d.batch, !provenance.person).next())
         refuse("The decision to be taken back is not in this batch.");
     } else if (!d.front && !d.back) {
       refuse("A decision names a front, a back, or both.");
     }
     PairDecision decided = d;
     decided.at_ms = now();
-    decided.by = act.person;
+    decided.by = provenance.person;
     const DecisionRow row = insertDecision(*database_, decided, newId(now()));
-    settleSherds(*this, d.batch, act);
+    settleSherds(*this, d.batch, provenance);
     return row;
   });
 }

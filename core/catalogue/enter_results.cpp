@@ -47,22 +47,22 @@ enum class BatchItself { Settled, LeftAsItIs };
 
 class Entering {
  public:
-  Entering(Catalogue& catalogue, BatchRow batch, const Act& act)
-      : catalogue_(catalogue), batch_(batch), act_{{}, "process", act.why} {}
+  Entering(Catalogue& catalogue, BatchRow batch, const Provenance& provenance)
+      : catalogue_(catalogue), batch_(batch), provenance_{{}, "process", provenance.why} {}
 
   EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
     scans(read.scans, read.edits);
-    orRefuse(followDecisions(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
+    valueOrThrow(followDecisions(catalogue_, valueOrThrow(catalogue_.batch(batch_)).number, out));
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
-    entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
-    taken_back_ = orRefuse(piecesTakenBack(catalogue_, batch_, out));
-    orRefuse(forgetModelsOf(catalogue_, batch_, taken_back_, act_));
+    entered_.numbers_left = valueOrThrow(giveTypedNumbers(catalogue_, batch_, provenance_));
+    taken_back_ = valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
+    valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
       FileRecord record = file.record;
       if (!file.sherd_front.empty()) record.sherd = sherdOf(file.sherd_front, file.sherd_back);
-      orRefuse(catalogue_.save(record, act_));
+      valueOrThrow(catalogue_.save(record, provenance_));
       ++entered_.files;
     }
     countOpen();
@@ -73,19 +73,19 @@ class Entering {
 
  private:
   void settle(const ReadResults& read) {
-    BatchRecord batch = orRefuse(catalogue_.batch(batch_));
+    BatchRecord batch = valueOrThrow(catalogue_.batch(batch_));
     const bool open = entered_.open > 0 || entered_.decided_meanwhile;
     batch.state = open || !read.scale_doubts.empty() ? BatchState::Review : BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
     batch.scale_doubts = read.scale_doubts;
-    orRefuse(catalogue_.saveBatch(batch, act_));
+    valueOrThrow(catalogue_.saveBatch(batch, provenance_));
   }
 
   // Pieces are numbered anew by each computation, in the order of their places; what a person said
   // about one must stay with it, so it is known by its place.
   void scans(std::vector<ScanRecord> found, const pipeline::Decisions& edits) {
-    const std::vector<ScanRecord> known = orRefuse(catalogue_.scans(batch_));
+    const std::vector<ScanRecord> known = valueOrThrow(catalogue_.scans(batch_));
     const std::vector<int> same = samePieces(known, found, edits, typedOn(catalogue_, batch_));
     for (std::size_t i = 0; i < known.size(); ++i) {
       const bool gone = same[i] < 0;
@@ -94,7 +94,7 @@ class Entering {
       scan.index = -static_cast<int>(scan.row.value);  // out of the way of the others
       if (gone) {
         scan.name += "-earlier" + std::to_string(scan.row.value);
-        orRefuse(catalogue_.save(scan, act_));
+        valueOrThrow(catalogue_.save(scan, provenance_));
         continue;
       }
       ScanRecord& now = found[static_cast<std::size_t>(same[i])];
@@ -106,7 +106,7 @@ class Entering {
             .run();
     }
     for (const ScanRecord& scan : found) {
-      rows_[scan.name] = orRefuse(catalogue_.save(scan, act_));
+      rows_[scan.name] = valueOrThrow(catalogue_.save(scan, provenance_));
       ++entered_.scans;
     }
   }
@@ -122,7 +122,7 @@ class Entering {
   void decide(const ReadResults& read) {
     std::vector<PairDecision> standing;  // the program's words that were not taken back
     std::map<DecisionRow, bool> withdrawn;
-    const std::vector<PairDecision> all = orRefuse(catalogue_.decisions(batch_));
+    const std::vector<PairDecision> all = valueOrThrow(catalogue_.decisions(batch_));
     for (const PairDecision& d : all)
       if (!d.by && d.verdict == Verdict::Withdraw) withdrawn[d.replaces] = true;
     for (const PairDecision& d : all)
@@ -143,17 +143,17 @@ class Entering {
         back.batch = batch_;
         back.verdict = Verdict::Withdraw;
         back.replaces = old.row;
-        orRefuse(catalogue_.decide(back, act_));
+        valueOrThrow(catalogue_.decide(back, provenance_));
       }
-    const std::size_t before = orRefuse(catalogue_.sherdRows(batch_)).size();
+    const std::size_t before = valueOrThrow(catalogue_.sherdRows(batch_)).size();
     for (const PairDecision& d : said)
       if (!isIn(standing, d)) {
-        orRefuse(catalogue_.decide(d, act_));
+        valueOrThrow(catalogue_.decide(d, provenance_));
         ++entered_.decisions;
       }
-    const std::size_t after = orRefuse(catalogue_.sherdRows(batch_)).size();
+    const std::size_t after = valueOrThrow(catalogue_.sherdRows(batch_)).size();
     entered_.new_sherds = after > before ? static_cast<int>(after - before) : 0;
-    current_ = orRefuse(catalogue_.currentDecisions(batch_));
+    current_ = valueOrThrow(catalogue_.currentDecisions(batch_));
     for (const PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
   }
 
@@ -170,7 +170,7 @@ class Entering {
   void model(const ReadSherd& read) {
     const SherdRow sherd = sherdOf(read.front, read.back);
     if (!sherd || read.model_path.empty()) return;
-    orRefuse(catalogue_.setModel(sherd, read.model_path, read.preview_path));
+    valueOrThrow(catalogue_.setModel(sherd, read.model_path, read.preview_path));
     catalogue_.database()
         .sql(
             "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
@@ -180,8 +180,8 @@ class Entering {
     ++entered_.models;
     for (const auto& [kind, value] : read.measures) {
       setMeasure(catalogue_,
-                 {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256}, act_,
-                 MeasureRank::PersonFirst);
+                 {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256},
+                 provenance_, MeasureRank::PersonFirst);
       ++entered_.measurements;
     }
   }
@@ -189,7 +189,7 @@ class Entering {
   // Doubtful pairs, and scans that nobody has paired or set aside; not those that were joined to
   // others and are no pieces any more.
   void countOpen() {
-    for (const ScanRecord& scan : orRefuse(catalogue_.scans(batch_)))
+    for (const ScanRecord& scan : valueOrThrow(catalogue_.scans(batch_)))
       entered_.open += scan.state == ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
     for (const PairDecision& d : current_)  // a doubtful pair is two open scans, and one question
       if (d.verdict == Verdict::Accept && !d.by && d.ambiguous) --entered_.open;
@@ -197,7 +197,7 @@ class Entering {
 
   Catalogue& catalogue_;
   BatchRow batch_;
-  Act act_;
+  Provenance provenance_;
   std::map<std::string, ScanRow> rows_;
   std::set<ScanRow> taken_back_;  // pieces that nobody wants joined or cut so any more
   std::vector<PairDecision> current_;
@@ -205,7 +205,7 @@ class Entering {
 };
 
 Result<EnteredResults> entered(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                               const fs::path& out, const Act& act, BatchItself then,
+                               const fs::path& out, const Provenance& provenance, BatchItself then,
                                Progress& progress, std::stop_token stop) {
   // Models that one entering has kept and not entered yet are in use by nobody for another one.
   static std::mutex one_by_one;
@@ -218,15 +218,15 @@ Result<EnteredResults> entered(Catalogue& catalogue, const fs::path& project, Ba
       catalogue.database().door([&] { return readResults(project, *record, out, progress, stop); });
   if (!read) return read.error();
   return catalogue.database().inTransaction(
-      [&] { return Entering(catalogue, batch, act).enter(*read, out, then); });
+      [&] { return Entering(catalogue, batch, provenance).enter(*read, out, then); });
 }
 
 }  // namespace
 
 Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                                    const fs::path& out, const Act& act, Progress& progress,
-                                    std::stop_token stop) {
-  return entered(catalogue, project, batch, out, act, BatchItself::Settled, progress,
+                                    const fs::path& out, const Provenance& provenance,
+                                    Progress& progress, std::stop_token stop) {
+  return entered(catalogue, project, batch, out, provenance, BatchItself::Settled, progress,
                  std::move(stop));
 }
 
@@ -256,7 +256,8 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
 }
 
 Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                             const Act& act, Progress& progress, std::stop_token stop) {
+                             const Provenance& provenance, Progress& progress,
+                             std::stop_token stop) {
   const Result<BatchRecord> record = catalogue.batch(batch);
   if (!record) return record.error();
   const Result<batch::Batch> folder =
@@ -274,7 +275,7 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
     std::vector<Photograph> all;
     for (const batch::Shot& shot : folder->shots) {
       if (stop.stop_requested()) throw Refused(Error::cancelled());
-      const std::string bytes = orRefuse(readFile(shot.file));
+      const std::string bytes = valueOrThrow(readFile(shot.file));
       Photograph p;
       p.shot.batch = batch;
       p.shot.side = shot.side;
@@ -308,8 +309,8 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
   if (!read) return read.error();
   return catalogue.database().inTransaction([&] {
     for (const Photograph& p : *read) {
-      orRefuse(catalogue.save(p.shot, act));
-      orRefuse(catalogue.save(p.file, act));
+      valueOrThrow(catalogue.save(p.shot, provenance));
+      valueOrThrow(catalogue.save(p.file, provenance));
     }
     return static_cast<int>(read->size());
   });

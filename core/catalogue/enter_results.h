@@ -24,7 +24,8 @@ struct EnteredResults {
 /// The batch's state becomes Review when something wants a person, else Done.
 Result<EnteredResults> enterResults(Catalogue& catalogue, const std::filesystem::path& project,
                                     BatchRow batch, const std::filesystem::path& out,
-                                    const Act& act, Progress& progress, std::stop_token stop);
+                                    const Provenance& provenance, Progress& progress,
+                                    std::stop_token stop);
 
 /// Enters the results of a batch again if a sherd with both sides has no model in the catalogue, as
 /// after a pair was given up and taken back; the batch's own state stays what it is. False: none
@@ -34,7 +35,7 @@ Result<bool> enterLostModels(const std::filesystem::path& project, const std::st
 
 /// The photographs of a batch folder as rows, with their files and hashes; idempotent.
 Result<int> enterPhotographs(Catalogue& catalogue, const std::filesystem::path& project,
-                             BatchRow batch, const Act& act, Progress& progress,
+                             BatchRow batch, const Provenance& provenance, Progress& progress,
                              std::stop_token stop);
 
 }  // namespace ostraka::catalogue

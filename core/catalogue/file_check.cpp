@@ -149,7 +149,7 @@ Result<void> checkPaths(const Catalogue& catalogue) {
     while (rows.next()) {
       std::string path;
       rows >> path;
-      if (!path.empty()) orRefuse(checkedPath(path));
+      if (!path.empty()) valueOrThrow(checkedPath(path));
     }
   });
 }

@@ -54,21 +54,22 @@ std::string rowAsNamed(Database& database, const std::string& field, std::string
 
 }  // namespace
 
-void remember(const Catalogue& catalogue, const Act& act, const char* table, std::int64_t row,
-              const std::string& field, const std::string& old_value,
+void remember(const Catalogue& catalogue, const Provenance& provenance, const char* table,
+              std::int64_t row, const std::string& field, const std::string& old_value,
               const std::string& new_value) {
   if (old_value == new_value) return;
   catalogue.database()
       .sql(
           "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) VALUES "
           "(?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(catalogue.now(), act.person, table, row, field, old_value, new_value, act.why,
-            act.source)
+      .with(catalogue.now(), provenance.person, table, row, field, old_value, new_value,
+            provenance.why, provenance.source)
       .run();
 }
 
-bool rememberDifferences(const Catalogue& catalogue, const Act& act, const char* table,
-                         std::int64_t row, const std::vector<SavedField>& fields) {
+bool rememberDifferences(const Catalogue& catalogue, const Provenance& provenance,
+                         const char* table, std::int64_t row,
+                         const std::vector<SavedField>& fields) {
   std::string columns;
   for (const SavedField& field : fields) {
     if (!columns.empty()) columns += ", ";
@@ -86,13 +87,13 @@ bool rememberDifferences(const Catalogue& catalogue, const Act& act, const char*
   bool any = false;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (old_values[i] == fields[i].value) continue;
-    remember(catalogue, act, table, row, fields[i].name, old_values[i], fields[i].value);
+    remember(catalogue, provenance, table, row, fields[i].name, old_values[i], fields[i].value);
     any = true;
   }
   return any;
 }
 
-Result<FileRow> Catalogue::save(const FileRecord& f, const Act& act) {
+Result<FileRow> Catalogue::save(const FileRecord& f, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const Result<std::string> path = checkedPath(f.path);
     if (!path) throw Refused(path.error());
@@ -107,12 +108,13 @@ Result<FileRow> Catalogue::save(const FileRecord& f, const Act& act) {
               "INSERT INTO file (id, created_at, created_by, updated_at, updated_by, path, "
               "sha256, bytes, media_type, role, state, sherd, batch) VALUES (?, ?, ?, ?, ?, ?, "
               "?, ?, ?, ?, ?, ?, ?)")
-          .with(f.id.empty() ? newId(now()) : f.id, now(), act.person, now(), act.person, *path,
-                f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state), f.sherd, f.batch)
+          .with(f.id.empty() ? newId(now()) : f.id, now(), provenance.person, now(),
+                provenance.person, *path, f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state),
+                f.sherd, f.batch)
           .run();
       return FileRow{database_->lastRow()};
     }
-    if (rememberDifferences(*this, act, "file", row,
+    if (rememberDifferences(*this, provenance, "file", row,
                             {{"path", *path},
                              {"sha256", f.sha256},
                              {"bytes", std::to_string(f.bytes)},
@@ -127,7 +129,7 @@ Result<FileRow> Catalogue::save(const FileRecord& f, const Act& act) {
               "= ?, sherd = ?, batch = ?, updated_at = ?, updated_by = ?, revision = revision + "
               "1 WHERE row = ?")
           .with(*path, f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state), f.sherd, f.batch,
-                now(), act.person, row)
+                now(), provenance.person, row)
           .run();
     return FileRow{row};
   });
@@ -168,7 +170,7 @@ std::int64_t Catalogue::historyLength() const {
 
 Result<std::vector<HistoryEntry>> Catalogue::history(SherdRow sherd) const {
   return database_->door([&] {
-    std::vector<HistoryEntry> all = orRefuse(history("sherd", sherd.value));
+    std::vector<HistoryEntry> all = valueOrThrow(history("sherd", sherd.value));
     for (HistoryEntry& entry : all)
       for (std::string* value : {&entry.old_value, &entry.new_value})
         *value = rowAsNamed(*database_, entry.field, std::move(*value));

@@ -149,7 +149,7 @@ std::string conditionSql(Query& query, const Condition& condition) {
   if (condition.is == Is::Empty) return emptySql(*column);
   if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
   if (column->measure) {
-    const std::string value = query.mark(numberText(orRefuse(parsedNumber(condition.value))));
+    const std::string value = query.mark(numberText(valueOrThrow(parsedNumber(condition.value))));
     return "m." + std::string(column->measure) + signOf(condition.is) + "CAST(" + value +
            " AS REAL)";
   }

@@ -121,7 +121,7 @@ Result<void> replayHistory(Catalogue& repaired, std::int64_t last_known, RepairR
       while (rows.next()) rows >> numberless.emplace_back();
     }
     for (const SherdRow& row : numberless) {
-      const SherdRecord sherd = orRefuse(repaired.sherd(row));
+      const SherdRecord sherd = valueOrThrow(repaired.sherd(row));
       setNumber(repaired, sherd, sherd.number);
     }
   });

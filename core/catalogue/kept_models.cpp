@@ -102,7 +102,7 @@ Result<void> dropUnusedModels(Catalogue& catalogue, const fs::path& project,
   return {};
 }
 
-void forgetModel(Catalogue& catalogue, SherdRow sherd, const Act& act) {
+void forgetModel(Catalogue& catalogue, SherdRow sherd, const Provenance& provenance) {
   Database& database = catalogue.database();
   std::vector<std::string> kinds;
   {
@@ -115,7 +115,7 @@ void forgetModel(Catalogue& catalogue, SherdRow sherd, const Act& act) {
       rows >> kinds.back();
     }
   }
-  for (const std::string& kind : kinds) clearMeasure(catalogue, sherd, kind, act);
+  for (const std::string& kind : kinds) clearMeasure(catalogue, sherd, kind, provenance);
   database
       .sql(
           "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview', "

@@ -8,7 +8,7 @@
 namespace ostraka::catalogue {
 
 class Catalogue;
-struct Act;
+struct Provenance;
 
 /// What the catalogue shows of a sherd must stay what was entered while its batch is computed
 /// again, or stops half-way: model.ply, model.glb and preview.png of `from` get a folder of the
@@ -25,6 +25,6 @@ Result<void> dropUnusedModels(Catalogue& catalogue, const std::filesystem::path&
 
 /// What was made from another pair says nothing about a sherd any more: its model, the program's
 /// measures. Within a transaction.
-void forgetModel(Catalogue& catalogue, SherdRow sherd, const Act& act);
+void forgetModel(Catalogue& catalogue, SherdRow sherd, const Provenance& provenance);
 
 }  // namespace ostraka::catalogue

@@ -36,8 +36,8 @@ Row rowBy(const Catalogue& catalogue, const char* sql, const Values&... values) 
 }
 
 template <class Row, class Record>
-Row made(Catalogue& catalogue, const Record& record, const Act& act) {
-  const Result<Row> row = catalogue.save(record, act);
+Row made(Catalogue& catalogue, const Record& record, const Provenance& provenance) {
+  const Result<Row> row = catalogue.save(record, provenance);
   if (!row) throw Refused(row.error());
   return *row;
 }
@@ -114,7 +114,7 @@ Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, BagRow bag) 
   return catalogue.database().door([&] { return placeBy(catalogue, "bag.row = ?", bag); });
 }
 
-Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act) {
+Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     ContextRecord context;
     context.number = place.context;
@@ -123,7 +123,7 @@ Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act
     if (!context.site) {
       SiteRecord site;
       site.code = site.name = place.site;
-      context.site = made<SiteRow>(catalogue, site, act);
+      context.site = made<SiteRow>(catalogue, site, provenance);
     }
     if (!place.trench.empty())
       context.trench =
@@ -133,7 +133,7 @@ Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act
       TrenchRecord trench;
       trench.site = context.site;
       trench.code = place.trench;
-      context.trench = made<TrenchRow>(catalogue, trench, act);
+      context.trench = made<TrenchRow>(catalogue, trench, provenance);
     }
     BagRecord bag;
     bag.number = place.bag;
@@ -143,11 +143,11 @@ Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act
                           "ifnull(?, 0) AND number_key "
                           "= ?",
                           context.site, context.trench, uniqueKey(trimmed(place.context)));
-    if (!bag.context) bag.context = made<ContextRow>(catalogue, context, act);
+    if (!bag.context) bag.context = made<ContextRow>(catalogue, context, provenance);
     const BagRow known =
         rowBy<BagRow>(catalogue, "SELECT row FROM bag WHERE context = ? AND number_key = ?",
                       bag.context, uniqueKey(trimmed(place.bag)));
-    return known ? known : made<BagRow>(catalogue, bag, act);
+    return known ? known : made<BagRow>(catalogue, bag, provenance);
   });
 }
 

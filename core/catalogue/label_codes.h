@@ -38,6 +38,6 @@ Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const L
 Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, BagRow bag);
 /// The bag's row, made with its context, trench and site where they are new. Capitals make no
 /// difference.
-Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act);
+Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Provenance& provenance);
 
 }  // namespace ostraka::catalogue

@@ -20,12 +20,13 @@ std::size_t endOf(std::span<const FieldChange> changes, std::size_t begin) {
 }  // namespace
 
 Result<std::vector<FieldChange>> changeMany(Catalogue& catalogue,
-                                            std::span<const FieldChange> changes, const Act& act,
-                                            Progress& progress, std::stop_token stop) {
+                                            std::span<const FieldChange> changes,
+                                            const Provenance& provenance, Progress& progress,
+                                            std::stop_token stop) {
   std::vector<std::vector<FieldChange>> undo;  // of each transaction
   const auto takeBack = [&](const Error& why) -> Error {
     while (!undo.empty()) {
-      if (const auto done = catalogue.change(undo.back(), act); !done)
+      if (const auto done = catalogue.change(undo.back(), provenance); !done)
         return {done.error().code,
                 why.what + " Some of the changes stay, for they could not be taken back: " +
                     done.error().what,
@@ -39,7 +40,7 @@ Result<std::vector<FieldChange>> changeMany(Catalogue& catalogue,
     progress.report(static_cast<std::int64_t>(begin), static_cast<std::int64_t>(changes.size()));
     const std::size_t end = endOf(changes, begin);
     Result<std::vector<FieldChange>> done =
-        catalogue.change(changes.subspan(begin, end - begin), act);
+        catalogue.change(changes.subspan(begin, end - begin), provenance);
     if (!done) return takeBack(done.error());
     undo.push_back(std::move(*done));
     begin = end;

@@ -15,7 +15,8 @@ namespace ostraka::catalogue {
 /// Changes of one sherd follow each other. Returns the changes that undo it. Errors: as change(),
 /// Cancelled.
 Result<std::vector<FieldChange>> changeMany(Catalogue& catalogue,
-                                            std::span<const FieldChange> changes, const Act& act,
-                                            Progress& progress, std::stop_token stop);
+                                            std::span<const FieldChange> changes,
+                                            const Provenance& provenance, Progress& progress,
+                                            std::stop_token stop);
 
 }  // namespace ostraka::catalogue

@@ -72,7 +72,8 @@ ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd) {
   return computed;
 }
 
-void setMeasure(Catalogue& catalogue, const Measurement& m, const Act& act, MeasureRank rank) {
+void setMeasure(Catalogue& catalogue, const Measurement& m, const Provenance& provenance,
+                MeasureRank rank) {
   const std::string unit = unitOf(m.kind);
   if (unit.empty()) refuse("There is no measurement of this kind.", m.kind);
   if (!(m.value >= 0)) refuse("A measurement is never below 0.", m.kind);
@@ -102,23 +103,25 @@ void setMeasure(Catalogue& catalogue, const Measurement& m, const Act& act, Meas
       .run();
   if (!counts) return;
   show(database, m.sherd, m.kind, m.value);
-  remember(catalogue, act, "sherd", m.sherd.value, m.kind,
+  remember(catalogue, provenance, "sherd", m.sherd.value, m.kind,
            old.row ? textOf(old.value, old.uncertainty) : std::string(),
            textOf(m.value, m.uncertainty));
 }
 
-void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind, const Act& act) {
+void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
+                  const Provenance& provenance) {
   Database& database = catalogue.database();
   const Current old = currentOf(database, sherd, kind);
   if (!old.row) return;
   database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
   show(database, sherd, kind, std::nullopt);
-  remember(catalogue, act, "sherd", sherd.value, kind, textOf(old.value, old.uncertainty), "");
+  remember(catalogue, provenance, "sherd", sherd.value, kind, textOf(old.value, old.uncertainty),
+           "");
 }
 
-void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act) {
+void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Provenance& provenance) {
   Measurement m = typed;
-  m.by = act.person;
+  m.by = provenance.person;
   if (m.uncertainty == 0.0) m.uncertainty.reset();
   // Who types what was there before (undo does) restores it with its method.
   Statement rows = catalogue.database().sql(
@@ -138,14 +141,14 @@ void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act)
         "person IS NULL AND method = 'program' ORDER BY row DESC LIMIT 1");
     if (latest.with(m.sherd, m.kind).next()) latest >> m.value >> m.model_sha256 >> m.uncertainty;
   }
-  setMeasure(catalogue, m, act, MeasureRank::Always);
+  setMeasure(catalogue, m, provenance, MeasureRank::Always);
 }
 
-Result<void> Catalogue::measure(const Measurement& m, const Act& act) {
+Result<void> Catalogue::measure(const Measurement& m, const Provenance& provenance) {
   return database_->inTransaction([&] {
     Measurement measured = m;
-    measured.by = act.person;
-    setMeasure(*this, measured, act, MeasureRank::PersonFirst);
+    measured.by = provenance.person;
+    setMeasure(*this, measured, provenance, MeasureRank::PersonFirst);
   });
 }
 

@@ -57,15 +57,15 @@ Counted countedIn(const Catalogue& catalogue, const Numbering& scheme, const She
 }
 
 Numbering schemeOf(const Catalogue& catalogue) {
-  return orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
+  return valueOrThrow(Numbering::parse(valueOrThrow(catalogue.project()).numbering));
 }
 
 // The block of numbers of this computer (settings numbering.first and numbering.last), so that two
 // laptops in the field never give the same number.
 std::int64_t settingNumber(const Catalogue& catalogue, const char* key, std::int64_t otherwise) {
-  const std::string text = orRefuse(catalogue.setting(key));
+  const std::string text = valueOrThrow(catalogue.setting(key));
   if (text.empty()) return otherwise;
-  return static_cast<std::int64_t>(orRefuse(parsedNumber(text)));
+  return static_cast<std::int64_t>(valueOrThrow(parsedNumber(text)));
 }
 
 // After the highest of the block that this computer gives.
@@ -129,13 +129,13 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
     std::map<std::string, std::int64_t> next;
     std::vector<std::string> numbers;
     const std::set<std::string> typed = typedEverywhere(*this);
-    for (const SherdRecord& sherd : orRefuse(sherds(rows))) {
+    for (const SherdRecord& sherd : valueOrThrow(sherds(rows))) {
       if (!sherd.number.empty()) {
         numbers.push_back(sherd.number);
         continue;
       }
       const auto tokens = numberTokens(*this, sherd);
-      const std::string counter = orRefuse(scheme.counter(tokens));
+      const std::string counter = valueOrThrow(scheme.counter(tokens));
       // A sherd that had a number of this count before gets it back: it is nobody else's.
       Statement own = database_->sql(
           "SELECT number FROM given_number WHERE sherd = ? AND counter = ? ORDER BY n DESC LIMIT "
@@ -153,7 +153,7 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
           refuse("The block of numbers up to " + std::to_string(last) +
                      " is used up; give this computer a new block in the settings.",
                  counter);
-        number = orRefuse(scheme.number(tokens, static_cast<int>(n)));
+        number = valueOrThrow(scheme.number(tokens, static_cast<int>(n)));
         // Typed by hand in another form, or on a plate that is not computed yet.
       } while (takenBy(*database_, number).sherd || typed.contains(uniqueKey(number)));
       numbers.push_back(number);
@@ -163,13 +163,13 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
 }
 
 Result<std::vector<std::string>> Catalogue::assignNumbers(std::span<const SherdRow> rows,
-                                                          const Act& act) {
+                                                          const Provenance& provenance) {
   return database_->inTransaction([&] {
-    std::vector<std::string> numbers = orRefuse(proposeNumbers(rows));
+    std::vector<std::string> numbers = valueOrThrow(proposeNumbers(rows));
     std::vector<FieldChange> changes;
     for (std::size_t i = 0; i < rows.size(); ++i)
       changes.push_back({rows[i], "number", numbers[i]});
-    orRefuse(change(changes, act));
+    valueOrThrow(change(changes, provenance));
     return numbers;
   });
 }

@@ -35,7 +35,7 @@ std::optional<double> programs(Database& database, SherdRow sherd, const char* k
 // What was described or measured on the draft before its number was known. What both say is
 // kept as the known one has it, and stays to be read on the void draft.
 void carryOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
-               const Act& act) {
+               const Provenance& provenance) {
   for (const SherdColumn& column : sherdColumns()) {
     const std::string field = column.field.name;
     if (!column.field.editable || column.field.kind == FieldKind::Place || column.measure) continue;
@@ -46,13 +46,13 @@ void carryOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord
     if (!has.empty() && !both) continue;
     const FieldChange said{known.row, field, has.empty() ? comes : has + "; " + comes};
     // What is refused, say a join to itself, stays there too.
-    (void)catalogue.change(std::span(&said, 1), act);
+    (void)catalogue.change(std::span(&said, 1), provenance);
   }
 
   const SherdRow rows[] = {known.row, made.row};
   std::set<std::string> has;
   std::vector<Measurement> comes;
-  for (const Measurement& m : orRefuse(catalogue.measuredByHand(rows))) {
+  for (const Measurement& m : valueOrThrow(catalogue.measuredByHand(rows))) {
     if (m.sherd == known.row)
       has.insert(m.kind);
     else
@@ -60,7 +60,7 @@ void carryOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord
   }
   for (Measurement& m : comes) {
     m.sherd = known.row;
-    if (!has.contains(m.kind)) setMeasure(catalogue, m, act, MeasureRank::Always);
+    if (!has.contains(m.kind)) setMeasure(catalogue, m, provenance, MeasureRank::Always);
   }
 }
 
@@ -72,7 +72,7 @@ bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd) {
     return false;
   if (!sherd.front) return true;
   // The last word counts, not that it was once asked for.
-  const auto now = orRefuse(catalogue.currentDecisions(sherd.batch));
+  const auto now = valueOrThrow(catalogue.currentDecisions(sherd.batch));
   return std::any_of(now.begin(), now.end(), [&](const PairDecision& d) {
     return d.verdict == Verdict::Reshoot && d.front == sherd.front;
   });
@@ -91,7 +91,7 @@ Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
         asked >> rows.back();
       }
     }
-    std::vector<SherdRecord> wanted = orRefuse(catalogue.sherds(rows));
+    std::vector<SherdRecord> wanted = valueOrThrow(catalogue.sherds(rows));
     const std::map<std::string, std::string> lies_again = typedAndWaiting(catalogue);
     std::erase_if(wanted, [&](const SherdRecord& sherd) {
       return !waitsForPhotographs(catalogue, sherd) || lies_again.contains(uniqueKey(sherd.number));
@@ -147,7 +147,7 @@ Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, Batch
         const double off = std::abs(*now - *before) / *before;
         if (off <= most) continue;
         most = off;
-        worst = {orRefuse(catalogue.sherd(sherd)).number, *before, *now};
+        worst = {valueOrThrow(catalogue.sherd(sherd)).number, *before, *now};
       }
       if (!worst.number.empty()) all.push_back(worst);
     }
@@ -156,19 +156,19 @@ Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, Batch
 }
 
 void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
-              const Act& act) {
+              const Provenance& provenance) {
   Database& database = catalogue.database();
-  carryOver(catalogue, known, made, act);
-  for (const SherdRecord* sherd : {&known, &made}) forgetModel(catalogue, sherd->row, act);
+  carryOver(catalogue, known, made, provenance);
+  for (const SherdRecord* sherd : {&known, &made}) forgetModel(catalogue, sherd->row, provenance);
   database.sql("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?").with(made.row).run();
-  orRefuse(catalogue.voidSherd(made.row, "photographed again: " + known.number, act));
+  valueOrThrow(catalogue.voidSherd(made.row, "photographed again: " + known.number, provenance));
   // Else it lay on two plates, and could not be typed on a third.
   if (known.batch && known.batch != made.batch) forgetTyped(catalogue, known.batch, known.number);
   database.sql("UPDATE sherd SET batch = ?, front = ?, back = ? WHERE row = ?")
       .with(made.batch, made.front, made.back, known.row)
       .run();
   const auto keep = [&](const char* field, auto before, auto now) {
-    remember(catalogue, act, "sherd", known.row.value, field,
+    remember(catalogue, provenance, "sherd", known.row.value, field,
              before ? std::to_string(before.value) : "", now ? std::to_string(now.value) : "");
   };
   keep("batch", known.batch, made.batch);

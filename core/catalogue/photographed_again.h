@@ -36,6 +36,6 @@ Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, Batch
 /// and what was described and measured on the draft where it says nothing itself; the draft is
 /// void. Within a transaction; the model comes with the results.
 void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
-              const Act& act);
+              const Provenance& provenance);
 
 }  // namespace ostraka::catalogue

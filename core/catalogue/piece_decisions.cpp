@@ -54,8 +54,8 @@ void readTexts(PieceDecision& d, const std::string& pieces, const std::string& c
   }
 }
 
-void check(Database& database, const PieceDecision& d, const Act& act) {
-  if (!act.person) refuse("A decision needs the name of the person who takes it.");
+void check(Database& database, const PieceDecision& d, const Provenance& provenance) {
+  if (!provenance.person) refuse("A decision needs the name of the person who takes it.");
   if (d.verdict == PieceVerdict::Join && d.pieces.size() < 2)
     refuse("Two pieces or more are joined.");
   if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1) refuse("One piece is cut.");
@@ -68,15 +68,15 @@ void check(Database& database, const PieceDecision& d, const Act& act) {
 }  // namespace
 
 Result<PieceDecisionRow> decidePieces(Catalogue& catalogue, const PieceDecision& d,
-                                      const Act& act) {
+                                      const Provenance& provenance) {
   Database& database = catalogue.database();
   return database.inTransaction([&] {
-    check(database, d, act);
+    check(database, d, provenance);
     database
         .sql(
             "INSERT INTO piece_decision (id, at, person, batch, side, verdict, pieces, cut_mm, "
             "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(newId(catalogue.now()), catalogue.now(), act.person, d.batch, wordOf(d.side),
+        .with(newId(catalogue.now()), catalogue.now(), provenance.person, d.batch, wordOf(d.side),
               wordOf(d.verdict), piecesText(d), cutText(d), d.replaces, d.note)
         .run();
     return PieceDecisionRow{database.lastRow()};

@@ -41,7 +41,7 @@ struct PieceDecision {
 /// Adds a row; the scans follow when the batch is computed again. Errors: refusals as sentences
 /// (no person, a wrong number of pieces, a withdrawal of what is not in this batch).
 Result<PieceDecisionRow> decidePieces(Catalogue& catalogue, const PieceDecision& decision,
-                                      const Act& act);
+                                      const Provenance& provenance);
 /// All of a batch, oldest first.
 Result<std::vector<PieceDecision>> pieceDecisions(const Catalogue& catalogue, BatchRow batch);
 

@@ -49,9 +49,9 @@ void refuseDouble(Statement rows, std::int64_t own, const std::string& what) {
 // Adds an empty row with what every table has, or changes the stamp of the row that is there.
 class Saving {
  public:
-  Saving(const Catalogue& catalogue, const Act& act, const char* table, std::int64_t row,
-         const std::string& id)
-      : catalogue_(catalogue), act_(act), table_(table), row_(row), id_(id) {
+  Saving(const Catalogue& catalogue, const Provenance& provenance, const char* table,
+         std::int64_t row, const std::string& id)
+      : catalogue_(catalogue), provenance_(provenance), table_(table), row_(row), id_(id) {
     if (!id.empty() && !isUuid(id)) refuse("The uuid is not well formed.", id);
   }
 
@@ -77,17 +77,18 @@ class Saving {
       database
           .sql("INSERT INTO " + table_ + " (id, created_at, created_by, updated_at, updated_by, " +
                list + ") VALUES (?, ?, ?, ?, ?" + marks + ")")
-          .with(id_.empty() ? newId(now) : id_, now, act_.person, now, act_.person, values...)
+          .with(id_.empty() ? newId(now) : id_, now, provenance_.person, now, provenance_.person,
+                values...)
           .run();
       row_ = database.lastRow();
-      remember(catalogue_, act_, table_.c_str(), row_, "", "", label);
+      remember(catalogue_, provenance_, table_.c_str(), row_, "", "", label);
       return row_;
     }
-    if (!rememberDifferences(catalogue_, act_, table_.c_str(), row_, fields)) return row_;
+    if (!rememberDifferences(catalogue_, provenance_, table_.c_str(), row_, fields)) return row_;
     database
         .sql("UPDATE " + table_ + " SET " + pairs +
              "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?")
-        .with(values..., now, act_.person, row_)
+        .with(values..., now, provenance_.person, row_)
         .run();
     if (database.changes() != 1) refuse("The " + table_ + " is not in the catalogue any more.");
     return row_;
@@ -95,7 +96,7 @@ class Saving {
 
  private:
   const Catalogue& catalogue_;
-  const Act& act_;
+  const Provenance& provenance_;
   std::string table_;
   std::int64_t row_;
   std::string id_;
@@ -140,7 +141,7 @@ Result<std::vector<PersonRecord>> Catalogue::persons() const {
   });
 }
 
-Result<PersonRow> Catalogue::save(const PersonRecord& p, const Act& act) {
+Result<PersonRow> Catalogue::save(const PersonRecord& p, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string name = needed(p.name, "name of a person");
     const std::string initials = needed(p.initials, "person's initials");
@@ -148,14 +149,15 @@ Result<PersonRow> Catalogue::save(const PersonRecord& p, const Act& act) {
     Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
     refuseDouble(std::move(same.with(key)), p.row.value,
                  "The initials " + initials + " belong to another person already.");
-    return PersonRow{Saving(*this, act, "person", p.row.value, p.id)
+    return PersonRow{Saving(*this, provenance, "person", p.row.value, p.id)
                          .done("name initials initials_key orcid", initials,
                                {{"name", name}, {"initials", initials}, {"orcid", p.orcid}}, name,
                                initials, key, p.orcid)};
   });
 }
 
-Result<PersonRow> Catalogue::personByInitials(const std::string& initials, const Act& act) {
+Result<PersonRow> Catalogue::personByInitials(const std::string& initials,
+                                              const Provenance& provenance) {
   const Result<PersonRow> known = database_->door([&] {
     PersonRow row;
     Statement rows = database_->sql("SELECT row FROM person WHERE initials_key = ?");
@@ -163,7 +165,7 @@ Result<PersonRow> Catalogue::personByInitials(const std::string& initials, const
     return row;
   });
   if (!known || *known) return known;
-  return save(PersonRecord{{}, {}, initials, initials, {}}, act);
+  return save(PersonRecord{{}, {}, initials, initials, {}}, provenance);
 }
 
 Result<std::vector<SiteRecord>> Catalogue::sites() const {
@@ -182,7 +184,7 @@ Result<std::vector<SiteRecord>> Catalogue::sites() const {
   });
 }
 
-Result<SiteRow> Catalogue::save(const SiteRecord& s, const Act& act) {
+Result<SiteRow> Catalogue::save(const SiteRecord& s, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string code = needed(s.code, "code of a site"), key = uniqueKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
@@ -192,7 +194,7 @@ Result<SiteRow> Catalogue::save(const SiteRecord& s, const Act& act) {
     refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
                  s.row.value, "There is a site " + code + " already.");
     const SiteRow row{
-        Saving(*this, act, "site", s.row.value, s.id)
+        Saving(*this, provenance, "site", s.row.value, s.id)
             .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
                   {{"code", code},
                    {"name", s.name},
@@ -221,7 +223,7 @@ Result<std::vector<TrenchRecord>> Catalogue::trenches() const {
   });
 }
 
-Result<TrenchRow> Catalogue::save(const TrenchRecord& t, const Act& act) {
+Result<TrenchRow> Catalogue::save(const TrenchRecord& t, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string code = needed(t.code, "code of a trench"), key = uniqueKey(code);
     if (!t.site) refuse("A trench belongs to a site.", code);
@@ -229,7 +231,7 @@ Result<TrenchRow> Catalogue::save(const TrenchRecord& t, const Act& act) {
     refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
                                .with(t.site, key)),
                  t.row.value, "There is a trench " + code + " in this site already.");
-    const TrenchRow row{Saving(*this, act, "trench", t.row.value, t.id)
+    const TrenchRow row{Saving(*this, provenance, "trench", t.row.value, t.id)
                             .done("site code code_key name parent", code,
                                   {{"site", rowText(t.site.value)},
                                    {"code", code},
@@ -272,7 +274,7 @@ Result<ContextRow> Catalogue::contextByPlace(const std::string& site, const std:
   });
 }
 
-Result<ContextRow> Catalogue::save(const ContextRecord& c, const Act& act) {
+Result<ContextRow> Catalogue::save(const ContextRecord& c, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string number = needed(c.number, "number of a context"), key = uniqueKey(number);
     if (!c.site) refuse("A context belongs to a site.", number);
@@ -293,7 +295,7 @@ Result<ContextRow> Catalogue::save(const ContextRecord& c, const Act& act) {
                                      "= ifnull(?, 0) AND number_key = ?")
                                .with(c.site, c.trench, key)),
                  c.row.value, "There is a context " + number + " in this place already.");
-    const ContextRow row{Saving(*this, act, "context", c.row.value, c.id)
+    const ContextRow row{Saving(*this, provenance, "context", c.row.value, c.id)
                              .done("site trench number number_key kind excavated_on period "
                                    "date_edtf closed note extra",
                                    number,
@@ -337,7 +339,7 @@ Result<std::vector<BagRecord>> Catalogue::bags(ContextRow context) const {
   });
 }
 
-Result<BagRow> Catalogue::save(const BagRecord& b, const Act& act) {
+Result<BagRow> Catalogue::save(const BagRecord& b, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string number = needed(b.number, "number of a bag"), key = uniqueKey(number);
     if (!b.context) refuse("A bag belongs to a context.", number);
@@ -349,7 +351,7 @@ Result<BagRow> Catalogue::save(const BagRecord& b, const Act& act) {
                       .with(b.context, key)),
         b.row.value, "There is a bag " + number + " in this context already.");
     return BagRow{
-        Saving(*this, act, "bag", b.row.value, b.id)
+        Saving(*this, provenance, "bag", b.row.value, b.id)
             .done("context number number_key collected_on storage count_written weight_g", number,
                   {{"context", rowText(b.context.value)},
                    {"number", number},

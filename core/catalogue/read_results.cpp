@@ -60,8 +60,8 @@ class Reading {
         stop_(std::move(stop)) {}
 
   ReadResults all() {
-    const json pairs = orRefuse(readJson(out_ / "pairs.json"));
-    const json report = orRefuse(readJson(out_ / "report.json"));
+    const json pairs = valueOrThrow(readJson(out_ / "pairs.json"));
+    const json report = valueOrThrow(readJson(out_ / "report.json"));
     try {
       // Two scans and three files of the model a pair, and the reports: about that many files.
       total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
@@ -107,7 +107,7 @@ class Reading {
       PairDecision d;
       d.batch = batch_;
       const auto& pose = p.at("T_front_from_back");
-      d.front_from_back = orRefuse(isometryFromJson(pose, (out_ / "pairs.json").string()));
+      d.front_from_back = valueOrThrow(isometryFromJson(pose, (out_ / "pairs.json").string()));
       d.score = numberIn(p, "score");
       d.margin = numberIn(p, "margin");
       d.fracture_rms_mm = numberIn(p, "fracture_rms_mm");
@@ -126,7 +126,7 @@ class Reading {
     std::vector<fs::path> files;
     std::error_code code;
     if (fs::exists(table, code)) {
-      const json candidates = orRefuse(readJson(table));
+      const json candidates = valueOrThrow(readJson(table));
       for (const json& scan : candidates.at(side + "s")) {
         files.push_back(work / scan.at("file").get<std::string>());
         photographs_[side] = scan.value("photographs", "");
@@ -148,7 +148,7 @@ class Reading {
       scan.name = path.stem().string();
       scan.index = std::atoi(scan.name.c_str() + 1);
       scan.path = relativeTo(project_, path);
-      const PointCloud cloud = orRefuse(readPlyCloud(path));
+      const PointCloud cloud = valueOrThrow(readPlyCloud(path));
       scan.points = static_cast<int>(cloud.size());
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
@@ -160,7 +160,7 @@ class Reading {
   }
 
   void edits() {
-    for (pipeline::PairDecision& d : orRefuse(pipeline::readDecisions(out_))) {
+    for (pipeline::PairDecision& d : valueOrThrow(pipeline::readDecisions(out_))) {
       if (d.kind != pipeline::DecisionKind::Join && d.kind != pipeline::DecisionKind::Split)
         continue;
       const std::string& seen = d.scans.front().photographs;
@@ -177,8 +177,8 @@ class Reading {
     if (figures.value("model", false)) {
       stopIfAsked();
       const fs::path made =
-          out_ / "sherds" / orRefuse(checkedPath(s.at("number").get<std::string>()));
-      sherd.folder = orRefuse(keepModel(project_, batch_number_, made)) + "/";
+          out_ / "sherds" / valueOrThrow(checkedPath(s.at("number").get<std::string>()));
+      sherd.folder = valueOrThrow(keepModel(project_, batch_number_, made)) + "/";
       sherd.model_path = sherd.folder + "model.ply";
       sherd.preview_path = sherd.folder + "preview.png";
       const fs::path folder = project_ / sherd.folder;
@@ -202,7 +202,7 @@ class Reading {
     stopIfAsked();
     std::error_code code;
     if (!fs::is_regular_file(path, code)) return {};
-    const std::string bytes = orRefuse(readFile(path));
+    const std::string bytes = valueOrThrow(readFile(path));
     ReadFile read;
     read.record.path = relativeTo(project_, path);
     read.record.sha256 = sha256(bytes);

@@ -30,7 +30,7 @@ using SherdRow = RowOf<struct SherdTag>;
 using FileRow = RowOf<struct FileTag>;
 
 /// Who does something, and through what; goes into the history with the time.
-struct Act {
+struct Provenance {
   PersonRow person;               ///< none: the program itself
   std::string source = "window";  ///< window, import, process, ...
   std::string why;                ///< a reason typed in; may be empty

@@ -40,20 +40,20 @@ Result<BatchIds> idsOf(const Catalogue& catalogue, BatchRow batch) {
 }
 
 Result<PhotographRow> restorePhotograph(Catalogue& catalogue, const PhotographRecord& photograph,
-                                        const std::string& id, const Act& act) {
+                                        const std::string& id, const Provenance& provenance) {
   Database& database = catalogue.database();
   return database.inTransaction([&] {
-    const PhotographRow row = orRefuse(catalogue.save(photograph, act));
+    const PhotographRow row = valueOrThrow(catalogue.save(photograph, provenance));
     database.sql("UPDATE photograph SET id = ? WHERE row = ?").with(wellFormed(id), row).run();
     return row;
   });
 }
 
 Result<ScanRow> restoreScan(Catalogue& catalogue, const ScanRecord& scan, const std::string& id,
-                            const Act& act) {
+                            const Provenance& provenance) {
   Database& database = catalogue.database();
   return database.inTransaction([&] {
-    const ScanRow row = orRefuse(catalogue.save(scan, act));
+    const ScanRow row = valueOrThrow(catalogue.save(scan, provenance));
     database.sql("UPDATE scan SET id = ?, state = ? WHERE row = ?")
         .with(wellFormed(id), wordOf(scan.state), row)
         .run();

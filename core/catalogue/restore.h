@@ -18,10 +18,10 @@ Result<BatchIds> idsOf(const Catalogue& catalogue, BatchRow batch);
 
 /// As save() adds it, with the id that it had. Errors: as save(), an id that is there already.
 Result<PhotographRow> restorePhotograph(Catalogue& catalogue, const PhotographRecord& photograph,
-                                        const std::string& id, const Act& act);
+                                        const std::string& id, const Provenance& provenance);
 /// Likewise, with its state.
 Result<ScanRow> restoreScan(Catalogue& catalogue, const ScanRecord& scan, const std::string& id,
-                            const Act& act);
+                            const Provenance& provenance);
 /// With its time and person; sherds and scans do not follow it.
 Result<DecisionRow> restoreDecision(Catalogue& catalogue, const PairDecision& decision,
                                     const std::string& id);

@@ -73,7 +73,7 @@ Row takenBack(const Row& earlier, const std::string& note) {
 }
 
 Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::PairDecision& decision,
-                      const Act& act) {
+                      const Provenance& provenance) {
   const auto all = catalogue.decisions(batch);
   if (!all) return all.error();
   const auto pieces = pieceDecisions(catalogue, batch);
@@ -83,10 +83,11 @@ Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::Pair
     const std::string at =
         i < decision.replaced_at.size() ? decision.replaced_at[i] : std::string();
     for (const PairDecision& row : rowsOf(*all, number, at))
-      if (const auto done = catalogue.decide(takenBack(row, marked(decision)), act); !done)
+      if (const auto done = catalogue.decide(takenBack(row, marked(decision)), provenance); !done)
         return done.error();
     for (const PieceDecision& row : rowsOf(*pieces, number, at))
-      if (const auto done = decidePieces(catalogue, takenBack(row, marked(decision)), act); !done)
+      if (const auto done = decidePieces(catalogue, takenBack(row, marked(decision)), provenance);
+          !done)
         return done.error();
   }
   return {};
@@ -152,7 +153,7 @@ std::vector<PairDecision> rowsFor(BatchRow batch, const pipeline::PairDecision& 
 
 // Pieces are kept by name and place: their scans come and go with each computation.
 Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
-                         const pipeline::PairDecision& decision, const Act& act) {
+                         const pipeline::PairDecision& decision, const Provenance& provenance) {
   PieceDecision row;
   row.batch = batch;
   row.side = decision.scans.empty() ? batch::Side::Front : decision.scans.front().side;
@@ -160,7 +161,7 @@ Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
   for (const pipeline::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
   row.cut_mm = decision.cut_mm;
   row.note = marked(decision);
-  const auto entered = decidePieces(catalogue, row, act);
+  const auto entered = decidePieces(catalogue, row, provenance);
   return entered ? Result<void>() : Result<void>(entered.error());
 }
 
@@ -184,13 +185,13 @@ class Following {
   Following(Catalogue& catalogue, BatchRow batch, const pipeline::Decisions& all,
             const Table& table)
       : catalogue_(catalogue), batch_(batch), all_(all), standing_(pipeline::standing(all)) {
-    want(table, orRefuse(catalogue.scans(batch)));
+    want(table, valueOrThrow(catalogue.scans(batch)));
   }
 
   /// How many were added.
   int rows() {
     pieces();
-    const std::vector<PairDecision> held = orRefuse(catalogue_.decisions(batch_));
+    const std::vector<PairDecision> held = valueOrThrow(catalogue_.decisions(batch_));
     for (const Wanted& wanted : wanted_)
       if (!isAmong(rowsOf(held, wanted.of->number, wanted.of->at), wanted.row))
         count(catalogue_.decide(wanted.row, actOf(*wanted.of)));
@@ -246,11 +247,11 @@ class Following {
   // and counts again where that is taken back. What was below may count then.
   bool takeBack(std::map<DecisionRow, const pipeline::PairDecision*>& stale) {
     bool any = false;
-    for (const PairDecision& counts : orRefuse(catalogue_.currentDecisions(batch_))) {
+    for (const PairDecision& counts : valueOrThrow(catalogue_.currentDecisions(batch_))) {
       const auto found = stale.find(counts.row);
       if (found == stale.end()) continue;
-      const auto [act, note] = endOf(*found->second, counts.by);
-      count(catalogue_.decide(takenBack(counts, note), act));
+      const auto [provenance, note] = endOf(*found->second, counts.by);
+      count(catalogue_.decide(takenBack(counts, note), provenance));
       stale.erase(found);
       any = true;
     }
@@ -259,7 +260,7 @@ class Following {
 
   // Where the pieces of a join are now is asked by the chain alone.
   void pieces() {
-    const std::vector<PieceDecision> held = orRefuse(pieceDecisions(catalogue_, batch_));
+    const std::vector<PieceDecision> held = valueOrThrow(pieceDecisions(catalogue_, batch_));
     for (const pipeline::PairDecision& d : all_) {
       if (!isOfPieces(d)) continue;
       const std::vector<PieceDecision> rows = rowsOf(held, d.number, d.at);
@@ -269,17 +270,17 @@ class Following {
       if (holds && rows.empty()) count(enterPieces(catalogue_, batch_, d, actOf(d)));
       if (holds) continue;
       for (const PieceDecision& row : rows) {
-        const auto [act, note] = endOf(d, row.by);
-        count(decidePieces(catalogue_, takenBack(row, note), act));
+        const auto [provenance, note] = endOf(d, row.by);
+        count(decidePieces(catalogue_, takenBack(row, note), provenance));
       }
     }
   }
 
-  Act actOf(const pipeline::PairDecision& d) {
-    return {orRefuse(catalogue_.personByInitials(d.by, {})), "window", d.note};
+  Provenance actOf(const pipeline::PairDecision& d) {
+    return {valueOrThrow(catalogue_.personByInitials(d.by, {})), "window", d.note};
   }
   // Who took it back, and the note that says so; nobody did where its scans are gone.
-  std::pair<Act, std::string> endOf(const pipeline::PairDecision& d, PersonRow by) {
+  std::pair<Provenance, std::string> endOf(const pipeline::PairDecision& d, PersonRow by) {
     for (auto end = all_.rbegin(); end != all_.rend(); ++end)
       if (end->kind == DecisionKind::Withdraw &&
           std::find(end->replaces.begin(), end->replaces.end(), d.number) != end->replaces.end())
@@ -312,10 +313,10 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     if (!batch) return batch.error();
     const auto person = catalogue.personByInitials(decision.by, {});
     if (!person) return person.error();
-    const Act act{*person, "window", decision.note};
+    const Provenance provenance{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
-      return withdraw(catalogue, batch->row, decision, act);
-    if (isOfPieces(decision)) return enterPieces(catalogue, batch->row, decision, act);
+      return withdraw(catalogue, batch->row, decision, provenance);
+    if (isOfPieces(decision)) return enterPieces(catalogue, batch->row, decision, provenance);
     if (*table)  // of earlier photographs, or about a piece that is gone
       if (const auto meant = pipeline::settledBy({decision}, **table); !meant.warnings.empty())
         return Error{ErrorCode::Missing, meant.warnings.front(), batch_number};
@@ -328,7 +329,7 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
                          " is not in the catalogue yet; it is entered with the next results.",
                      batch_number};
     for (const PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
-      if (const auto entered = catalogue.decide(row, act); !entered) return entered.error();
+      if (const auto entered = catalogue.decide(row, provenance); !entered) return entered.error();
     return {};
   });
 }
@@ -361,14 +362,14 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do) {
   // In one step: the queue may take the batch meanwhile.
   return catalogue.database().inTransaction([&] {
-    const BatchRecord batch = orRefuse(catalogue.batchByNumber(batch_number));
+    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
     if (batch.state != BatchState::Review && batch.state != BatchState::Done) return;
     const BatchState state =
         nothing_to_do && batch.scale_doubts.empty() ? BatchState::Done : BatchState::Review;
     if (state == batch.state) return;
-    Act act{{}, "window", {}};
-    if (!person.empty()) act.person = orRefuse(catalogue.personByInitials(person, {}));
-    orRefuse(catalogue.setBatchState(batch.row, state, act));
+    Provenance provenance{{}, "window", {}};
+    if (!person.empty()) provenance.person = valueOrThrow(catalogue.personByInitials(person, {}));
+    valueOrThrow(catalogue.setBatchState(batch.row, state, provenance));
   });
 }
 
@@ -395,13 +396,13 @@ Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow b
   if (const Result<pipeline::CandidateTable> table = pipeline::readCandidatesOf(output))
     std::erase_if(computed_with, [&](const auto& d) { return isOfOtherPhotographs(d, *table); });
   for (const pipeline::PairDecision& d : computed_with)
-    if (isOfPieces(d) && !d.scans.empty() && !pipeline::isSaidIn(hold, d))
+    if (isOfPieces(d) && !d.scans.empty() && !pipeline::containedIn(hold, d))
       for (const ScanRow scan : madeBy(d, computed_with, *scans)) pieces.insert(scan);
   return pieces;
 }
 
 Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
-                            const Act& act) {
+                            const Provenance& provenance) {
   if (pieces.empty()) return {};
   return catalogue.together([&]() -> Result<void> {
     const auto rows = catalogue.sherdRows(batch);
@@ -410,7 +411,7 @@ Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set
     if (!sherds) return sherds.error();
     for (const SherdRecord& sherd : *sherds)
       if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
-        forgetModel(catalogue, sherd.row, act);
+        forgetModel(catalogue, sherd.row, provenance);
     return {};
   });
 }

@@ -52,7 +52,7 @@ Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow b
                                           const std::filesystem::path& output);
 /// The sherds of these pieces lose the models and measures that were made of them.
 Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
-                            const Act& act);
+                            const Provenance& provenance);
 /// Both, after a withdrawal. Nothing where what it ended was not computed.
 Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
                             const pipeline::PairDecision& withdrawal,

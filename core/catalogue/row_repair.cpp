@@ -84,7 +84,7 @@ class Collecting {
  private:
   // What cannot be written is no damage: everything ends here, instead of passing rows over.
   bool insertRow(const Statement& row) {
-    orRefuse(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
+    valueOrThrow(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
     return fresh_.changes() > 0;
   }
 

@@ -59,7 +59,7 @@ class Examination {
     const std::string& typed = change.shown.change.value;
     change.shown.old_value = textOf(sherd, field);
     std::string& value = change.shown.new_value;
-    value = orRefuse(checkedText(typed));
+    value = valueOrThrow(checkedText(typed));
     if (field.starts_with("extra.") && field.size() > 6) return;
     change.column = sherdColumn(field);
     if (!change.column) refuse("There is no field '" + field + "'.");
@@ -76,13 +76,13 @@ class Examination {
         terms(known.vocabulary, value);
         break;
       case FieldKind::Munsell:
-        value = orRefuse(checkedMunsell(value));
+        value = valueOrThrow(checkedMunsell(value));
         break;
       case FieldKind::Edtf:
-        value = orRefuse(checkedEdtf(value));
+        value = valueOrThrow(checkedEdtf(value));
         break;
       case FieldKind::Day:
-        value = orRefuse(checkedDay(value));
+        value = valueOrThrow(checkedDay(value));
         break;
       case FieldKind::Number:
         if (!value.empty()) measure(sherd.row, change);
@@ -133,7 +133,7 @@ class Examination {
   std::string term(const std::string& vocabulary, const std::string& typed) {
     auto& known = vocabularies_[vocabulary];
     if (known.empty())
-      for (const Term& entry : orRefuse(catalogue_.vocabulary(vocabulary))) {
+      for (const Term& entry : valueOrThrow(catalogue_.vocabulary(vocabulary))) {
         known.emplace(uniqueKey(entry.term), entry.term);
         for (const auto& [language, label] : entry.labels)
           known.emplace(uniqueKey(label), entry.term);
@@ -164,8 +164,8 @@ class Examination {
         value.resize(at);
         break;
       }
-    change.number = orRefuse(parsedNumber(value));
-    if (half) change.uncertainty = orRefuse(parsedNumber(*half));
+    change.number = valueOrThrow(parsedNumber(value));
+    if (half) change.uncertainty = valueOrThrow(parsedNumber(*half));
     if (change.uncertainty.value_or(0) < 0)
       refuse("What follows the sign ± is above 0, or 0 where no uncertainty is known.");
     if (!(change.number > 0)) refuse("A measurement is above 0.");
@@ -181,7 +181,7 @@ class Examination {
   // Where it becomes another; so it is a change of a value that stays, too.
   void showUncertainty(SherdRow sherd, Examined& change) {
     double old = 0;
-    for (const Measurement& m : orRefuse(catalogue_.measurements(sherd)))
+    for (const Measurement& m : valueOrThrow(catalogue_.measurements(sherd)))
       if (m.kind == change.column->measure) old = m.uncertainty.value_or(0);
     if (old == *change.uncertainty) return;
     const bool stays = change.shown.old_value == change.shown.new_value;
@@ -232,8 +232,8 @@ class Examination {
   void joins(const SherdRecord& sherd, Examined& change) {
     std::vector<std::string> numbers;
     for (const std::string& typed : splitTerms(change.shown.new_value)) {
-      SherdRow other = orRefuse(catalogue_.sherdByNumber(typed));
-      if (!other) other = orRefuse(catalogue_.sherdById(typed));
+      SherdRow other = valueOrThrow(catalogue_.sherdByNumber(typed));
+      if (!other) other = valueOrThrow(catalogue_.sherdById(typed));
       if (!other) refuse("There is no sherd " + typed + " that it could join.");
       if (other == sherd.row) refuse("A sherd does not join itself.");
       change.joins.push_back(other);
@@ -241,7 +241,7 @@ class Examination {
     std::sort(change.joins.begin(), change.joins.end());
     change.joins.erase(std::unique(change.joins.begin(), change.joins.end()), change.joins.end());
     std::vector<std::pair<std::string, std::string>> sorted;
-    for (const SherdRecord& other : orRefuse(catalogue_.sherds(change.joins))) {
+    for (const SherdRecord& other : valueOrThrow(catalogue_.sherds(change.joins))) {
       const std::string& name = other.number.empty() ? other.id : other.number;
       sorted.emplace_back(sortKey(name), name);
     }
@@ -264,8 +264,8 @@ class Examination {
     if (!wanted["context"].empty()) {
       if (wanted["site"].empty())
         refuse("The context " + wanted["context"] + " needs its site; name both.");
-      context =
-          orRefuse(catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
+      context = valueOrThrow(
+          catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
       if (!context)
         refuse("There is no context " + wanted["context"] + " in " + wanted["site"] +
                (wanted["trench"].empty() ? "" : " " + wanted["trench"]) + "; add it first.");
@@ -294,7 +294,7 @@ class Examination {
 
   // The codes as the catalogue writes them, so that arm1 for ARM1 is no change.
   void canonical(Examined& change) {
-    const ContextRecord place = orRefuse(catalogue_.context(change.context));
+    const ContextRecord place = valueOrThrow(catalogue_.context(change.context));
     std::string& value = change.shown.new_value;
     const std::string& field = change.shown.change.field;
     if (field == "site") value = place.site_code;
@@ -334,7 +334,7 @@ Batch examine(const Catalogue& catalogue, std::span<const FieldChange> wanted) {
     of_sherd.push_back(i);
   }
   Examination examination(catalogue);
-  for (SherdRecord& sherd : orRefuse(catalogue.sherds(rows))) {
+  for (SherdRecord& sherd : valueOrThrow(catalogue.sherds(rows))) {
     std::vector<Examined*> of_sherd;
     for (const std::size_t i : by_sherd[sherd.row.value]) of_sherd.push_back(&all.changes[i]);
     examination.sherd(sherd, of_sherd);
@@ -388,7 +388,7 @@ int turnOf(const Examined& change) {
 using Plain = std::vector<std::pair<std::string, std::string>>;
 
 void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Plain& plain,
-           const Act& act) {
+           const Provenance& provenance) {
   Database& database = catalogue.database();
   const SherdRow row = sherd.row;
   const std::string& field = change.shown.change.field;
@@ -398,11 +398,12 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
   } else if (change.column->measure) {
     const std::string kind = change.column->measure;
     if (value.empty())
-      clearMeasure(catalogue, row, kind, act);
+      clearMeasure(catalogue, row, kind, provenance);
     else
       typeMeasure(
           catalogue,
-          {row, kind, {}, change.number, change.uncertainty, methodOf(kind), act.person, {}}, act);
+          {row, kind, {}, change.number, change.uncertainty, methodOf(kind), provenance.person, {}},
+          provenance);
     return;  // its history is written with the measurement
   } else if (change.column->field.kind == FieldKind::Joins) {
     setJoins(catalogue, row, change.joins);
@@ -416,7 +417,7 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
   } else if (field == "number") {
     if (!value.empty() && !sherd.context)
       refuse("A sherd gets a number when its context is known.", value);
-    setNumber(catalogue, orRefuse(catalogue.sherd(row)), value);
+    setNumber(catalogue, valueOrThrow(catalogue.sherd(row)), value);
     sherd.number = value;
   } else if (field == "void_reason") {
     const char* state = !value.empty() ? "void" : sherd.number.empty() ? "draft" : "numbered";
@@ -426,17 +427,18 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
   } else {
     plain.emplace_back(field, change.column->terms ? termsJson(splitTerms(value)) : value);
   }
-  remember(catalogue, act, "sherd", row.value, field, change.shown.old_value, value);
+  remember(catalogue, provenance, "sherd", row.value, field, change.shown.old_value, value);
 }
 
-void finish(Catalogue& catalogue, SherdRow sherd, const Plain& plain, const Act& act) {
+void finish(Catalogue& catalogue, SherdRow sherd, const Plain& plain,
+            const Provenance& provenance) {
   std::string pairs;
   for (const auto& [column, value] : plain) pairs += column + " = ?, ";
   Statement update = catalogue.database().sql(
       "UPDATE sherd SET " + pairs +
       "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?");
   for (const auto& [column, value] : plain) update.with(value);
-  update.with(catalogue.now(), act.person, sherd).run();
+  update.with(catalogue.now(), provenance.person, sherd).run();
   searchAnew(catalogue.database(), sherd);
 }
 
@@ -452,7 +454,7 @@ Result<std::vector<ChangePreview>> Catalogue::preview(std::span<const FieldChang
 }
 
 Result<std::vector<FieldChange>> Catalogue::change(std::span<const FieldChange> wanted,
-                                                   const Act& act) {
+                                                   const Provenance& provenance) {
   return database_->inTransaction([&] {
     Batch all = examine(*this, wanted);
     for (const Examined& change : all.changes)
@@ -471,10 +473,11 @@ Result<std::vector<FieldChange>> Catalogue::change(std::span<const FieldChange> 
       for (const Examined& change : all.changes) {
         if (!change.changes() || turnOf(change) != turn) continue;
         const FieldChange& asked = change.shown.change;
-        apply(*this, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value], act);
+        apply(*this, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value],
+              provenance);
         undo.push_back({asked.sherd, asked.field, change.shown.old_value, Confirmation::Given});
       }
-    for (const auto& [row, plain] : touched) finish(*this, SherdRow{row}, plain, act);
+    for (const auto& [row, plain] : touched) finish(*this, SherdRow{row}, plain, provenance);
     std::reverse(undo.begin(), undo.end());
     return undo;
   });

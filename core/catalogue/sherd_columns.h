@@ -71,16 +71,17 @@ struct ComputedMeasures {
   std::set<std::string> current;
 };
 ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd);
-void setMeasure(Catalogue& catalogue, const Measurement& measurement, const Act& act,
+void setMeasure(Catalogue& catalogue, const Measurement& measurement, const Provenance& provenance,
                 MeasureRank rank);
-/// A value typed by the person of `act`. Its uncertainty: 0 says that there is none; without one
-/// the value has what it had when it was typed last.
-void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act);
+/// A value typed by the person of `provenance`. Its uncertainty: 0 says that there is none; without
+/// one the value has what it had when it was typed last.
+void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Provenance& provenance);
 /// Nothing counts any more; old rows stay.
-void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind, const Act& act);
+void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
+                  const Provenance& provenance);
 
 /// Lets the draft sherds of a batch, and the scans' states, follow the decisions that count.
-void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act);
+void settleSherds(Catalogue& catalogue, BatchRow batch, const Provenance& provenance);
 
 /// As the search has them: with one i, dotted or not (see searched()).
 inline constexpr const char* kSearchedWords = "replace(replace(words, 'İ', 'i'), 'ı', 'i')";
@@ -91,11 +92,11 @@ void searchAnew(Database& database, SherdRow sherd);
 
 /// A value, or Refused with its error.
 template <class T>
-T orRefuse(Result<T> result) {
+T valueOrThrow(Result<T> result) {
   if (!result) throw Refused(result.error());
   return std::move(*result);
 }
-inline void orRefuse(const Result<void>& result) {
+inline void valueOrThrow(const Result<void>& result) {
   if (!result) throw Refused(result.error());
 }
 

@@ -49,9 +49,9 @@ class Mover {
     auto known = contexts_.find(key);
     if (known == contexts_.end()) {
       const ContextRow row =
-          orRefuse(catalogue_.contextByPlace(trimmed(key[0]), trimmed(key[1]), context));
-      known =
-          contexts_.emplace(key, row ? orRefuse(catalogue_.context(row)) : ContextRecord()).first;
+          valueOrThrow(catalogue_.contextByPlace(trimmed(key[0]), trimmed(key[1]), context));
+      known = contexts_.emplace(key, row ? valueOrThrow(catalogue_.context(row)) : ContextRecord())
+                  .first;
     }
     place.site = known->second.site_code;
     place.trench = known->second.trench_code;
@@ -81,7 +81,7 @@ Result<Move> moveOf(const Catalogue& catalogue, std::span<const FieldChange> wan
       if (rows.empty() || rows.back() != change.sherd) rows.push_back(change.sherd);
     Mover mover(catalogue);
     std::size_t begin = 0;
-    for (const SherdRecord& sherd : orRefuse(catalogue.sherds(rows))) {
+    for (const SherdRecord& sherd : valueOrThrow(catalogue.sherds(rows))) {
       std::size_t end = begin;
       while (end < wanted.size() && wanted[end].sherd == sherd.row) ++end;
       mover.move(sherd, wanted.subspan(begin, end - begin));

@@ -193,7 +193,7 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(BatchRow batch) const {
   });
 }
 
-Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Act& act) {
+Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string id = s.id.empty() ? newId(now()) : s.id;
     if (!isUuid(id)) refuse("The uuid of a sherd is not well formed.", id);
@@ -204,12 +204,12 @@ Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Act& act) {
             "INSERT INTO sherd (id, created_at, created_by, updated_at, updated_by, number_sort, "
             "context, bag, batch, front, back, extra) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
             "?)")
-        .with(id, now(), act.person, now(), act.person, kBehindAllNumbers, s.context, s.bag,
-              s.batch, s.front, s.back, s.extra_json)
+        .with(id, now(), provenance.person, now(), provenance.person, kBehindAllNumbers, s.context,
+              s.bag, s.batch, s.front, s.back, s.extra_json)
         .run();
     const SherdRow row{database_->lastRow()};
     database_->sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
-    remember(*this, act, "sherd", row.value, "", "", id);
+    remember(*this, provenance, "sherd", row.value, "", "", id);
     std::vector<FieldChange> changes;
     for (const SherdColumn& column : sherdColumns()) {
       if (!column.field.editable || column.field.kind == FieldKind::Place) continue;
@@ -220,7 +220,7 @@ Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Act& act) {
     if (changes.empty())
       searchAnew(*database_, row);
     else
-      orRefuse(change(changes, act));
+      valueOrThrow(change(changes, provenance));
     return row;
   });
 }
@@ -229,18 +229,19 @@ Result<void> Catalogue::setModel(SherdRow sherd, const std::string& model_path,
                                  const std::string& preview_path) {
   return database_->inTransaction([&] {
     for (const std::string& path : {model_path, preview_path})
-      if (!path.empty()) orRefuse(checkedPath(path));
+      if (!path.empty()) valueOrThrow(checkedPath(path));
     database_->sql("UPDATE sherd SET model_path = ?, preview_path = ? WHERE row = ?")
         .with(model_path, preview_path, sherd)
         .run();
   });
 }
 
-Result<void> Catalogue::voidSherd(SherdRow sherd, const std::string& reason, const Act& act) {
+Result<void> Catalogue::voidSherd(SherdRow sherd, const std::string& reason,
+                                  const Provenance& provenance) {
   if (trimmed(reason).empty())
     return Error{ErrorCode::UnusableInput, "A sherd is void for a reason; say which.", {}};
   const FieldChange voided{sherd, "void_reason", reason};
-  const Result<std::vector<FieldChange>> done = change(std::span(&voided, 1), act);
+  const Result<std::vector<FieldChange>> done = change(std::span(&voided, 1), provenance);
   return done ? Result<void>() : done.error();
 }
 

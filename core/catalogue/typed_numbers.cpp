@@ -25,7 +25,7 @@ constexpr double kReach_mm = 20;
 constexpr std::size_t kMostDigits = 6;
 
 std::string keyOf(const Catalogue& catalogue, BatchRow batch) {
-  return kTypedNumbers + orRefuse(catalogue.batch(batch)).number;
+  return kTypedNumbers + valueOrThrow(catalogue.batch(batch)).number;
 }
 
 std::vector<TypedNumber> parsed(const std::string& text) {
@@ -67,7 +67,8 @@ bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
   const std::string batch = label.number.substr(0, dash), year = batch.substr(1);
   const std::string n = label.number.substr(dash + 1);
   if (n.size() > kMostDigits) return false;
-  const Numbering scheme = orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
+  const Numbering scheme =
+      valueOrThrow(Numbering::parse(valueOrThrow(catalogue.project()).numbering));
   const Result<std::string> given =
       scheme.number({{"batch", batch}, {"yyyy", year}, {"yy", year}}, std::stoi(n));
   return !given || uniqueKey(*given) != uniqueKey(label.number);
@@ -76,12 +77,12 @@ bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
 // What a sherd of this batch has that is known of it: where it is from, if its bag says so.
 SherdRecord placeOnPlate(const Catalogue& catalogue, BatchRow batch) {
   SherdRecord sherd;
-  const BatchRecord record = orRefuse(catalogue.batch(batch));
+  const BatchRecord record = valueOrThrow(catalogue.batch(batch));
   sherd.batch = batch;
   sherd.batch_number = record.number;
-  for (const BagRecord& bag : orRefuse(catalogue.bags()))
+  for (const BagRecord& bag : valueOrThrow(catalogue.bags()))
     if (record.bags.size() == 1 && bag.row == record.bags.front()) {
-      const ContextRecord place = orRefuse(catalogue.context(bag.context));
+      const ContextRecord place = valueOrThrow(catalogue.context(bag.context));
       sherd.site = place.site_code;
       sherd.trench = place.trench_code;
       sherd.context_number = place.number;
@@ -95,8 +96,8 @@ std::string numberOfLabel(const Catalogue& catalogue, const std::string& code) {
   const std::optional<LabelCode> label = readLabelCode(code);
   if (!label) refuse("This is only a part of a sherd's label; read its code again.", code);
   std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
-  if (const SherdRow known = orRefuse(sherdOfLabel(catalogue, *label))) {
-    const SherdRecord sherd = orRefuse(catalogue.sherd(known));
+  if (const SherdRow known = valueOrThrow(sherdOfLabel(catalogue, *label))) {
+    const SherdRecord sherd = valueOrThrow(catalogue.sherd(known));
     if (!sherd.number.empty() || label->isPlaceOnPlate()) number = sherd.number;
   }
   if (number.empty()) refuse("The sherd of this label has no number yet.", code);
@@ -115,8 +116,9 @@ std::string wholeOf(const Catalogue& catalogue, const SherdRecord& place,
   if (text.empty() || text.size() > kMostDigits ||
       text.find_first_not_of("0123456789") != std::string::npos)
     return text;
-  const Numbering scheme = orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
-  return orRefuse(scheme.number(numberTokens(catalogue, place), std::stoi(text)));
+  const Numbering scheme =
+      valueOrThrow(Numbering::parse(valueOrThrow(catalogue.project()).numbering));
+  return valueOrThrow(scheme.number(numberTokens(catalogue, place), std::stoi(text)));
 }
 
 }  // namespace
@@ -148,16 +150,16 @@ std::map<std::string, std::string> typedAndWaiting(const Catalogue& catalogue) {
 
 Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch) {
   return catalogue.database().door(
-      [&] { return parsed(orRefuse(catalogue.setting(keyOf(catalogue, batch)))); });
+      [&] { return parsed(valueOrThrow(catalogue.setting(keyOf(catalogue, batch)))); });
 }
 
 Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
                              std::span<const TypedNumber> numbers) {
   Database& database = catalogue.database();
   return database.inTransaction([&] {
-    const std::string own = orRefuse(catalogue.batch(batch)).number;
+    const std::string own = valueOrThrow(catalogue.batch(batch)).number;
     std::set<std::string> stood, seen;
-    for (const TypedNumber& typed : orRefuse(typedNumbers(catalogue, batch)))
+    for (const TypedNumber& typed : valueOrThrow(typedNumbers(catalogue, batch)))
       stood.insert(uniqueKey(typed.number));
     const std::map<std::string, std::string> waiting = typedAndWaiting(catalogue);
     for (const TypedNumber& typed : numbers) {
@@ -167,7 +169,7 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
       if (stood.contains(number)) continue;  // what is wrong with it hinders no other
       const Taken taken = takenBy(database, typed.number);
       const SherdRecord holder =
-          taken.sherd ? orRefuse(catalogue.sherd(taken.sherd)) : SherdRecord();
+          taken.sherd ? valueOrThrow(catalogue.sherd(taken.sherd)) : SherdRecord();
       const bool may =
           !taken.sherd || holder.batch == batch ||
           (waitsForPhotographs(catalogue, holder) && uniqueKey(holder.number) == number);
@@ -175,15 +177,15 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
       if (!may || (elsewhere != waiting.end() && elsewhere->second != own))
         refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
     }
-    orRefuse(catalogue.setSetting(keyOf(catalogue, batch), textOf(numbers)));
+    valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), textOf(numbers)));
   });
 }
 
 void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number) {
-  std::vector<TypedNumber> left = orRefuse(typedNumbers(catalogue, batch));
+  std::vector<TypedNumber> left = valueOrThrow(typedNumbers(catalogue, batch));
   const std::size_t erased = std::erase_if(
       left, [&](const TypedNumber& typed) { return uniqueKey(typed.number) == uniqueKey(number); });
-  if (erased > 0) orRefuse(catalogue.setSetting(keyOf(catalogue, batch), textOf(left)));
+  if (erased > 0) valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), textOf(left)));
 }
 
 Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
@@ -195,12 +197,13 @@ Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
 Result<std::string> wholeNumber(const Catalogue& catalogue, SherdRow sherd,
                                 const std::string& typed) {
   return catalogue.database().door(
-      [&] { return wholeOf(catalogue, orRefuse(catalogue.sherd(sherd)), typed); });
+      [&] { return wholeOf(catalogue, valueOrThrow(catalogue.sherd(sherd)), typed); });
 }
 
 Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number) {
-  return catalogue.database().door(
-      [&] { return orRefuse(fitsThePlace(catalogue, placeOnPlate(catalogue, batch), number)); });
+  return catalogue.database().door([&] {
+    return valueOrThrow(fitsThePlace(catalogue, placeOnPlate(catalogue, batch), number));
+  });
 }
 
 Result<bool> fitsThePlace(const Catalogue& catalogue, const SherdRecord& place,
@@ -237,11 +240,12 @@ std::vector<int> placesOf(std::span<const TypedNumber> numbers,
 
 std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow batch) {
   std::map<std::string, Eigen::Vector2d> places;
-  for (const TypedNumber& typed : orRefuse(typedNumbers(catalogue, batch)))
+  for (const TypedNumber& typed : valueOrThrow(typedNumbers(catalogue, batch)))
     places[uniqueKey(typed.number)] = typed.at_mm;
   std::map<ScanRow, Eigen::Vector2d> typed_on;
   if (places.empty()) return typed_on;
-  for (const SherdRecord& sherd : orRefuse(catalogue.sherds(orRefuse(catalogue.sherdRows(batch)))))
+  for (const SherdRecord& sherd :
+       valueOrThrow(catalogue.sherds(valueOrThrow(catalogue.sherdRows(batch)))))
     if (const auto place = places.find(uniqueKey(sherd.number));
         place != places.end() && sherd.front)
       typed_on[sherd.front] = place->second;
@@ -249,21 +253,21 @@ std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow 
 }
 
 Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
-                                                  const Act& act) {
+                                                  const Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     std::vector<std::string> left;
-    const std::vector<TypedNumber> typed = orRefuse(typedNumbers(catalogue, batch));
+    const std::vector<TypedNumber> typed = valueOrThrow(typedNumbers(catalogue, batch));
     if (typed.empty()) return left;
     std::vector<Eigen::Vector2d> places;
     std::vector<ScanRow> fronts;
-    for (const ScanRecord& scan : orRefuse(catalogue.scans(batch))) {
+    for (const ScanRecord& scan : valueOrThrow(catalogue.scans(batch))) {
       if (!scan.isThere() || scan.side != batch::Side::Front) continue;
       if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
       places.emplace_back(*scan.plate_x_mm, *scan.plate_y_mm);
       fronts.push_back(scan.row);
     }
     const std::vector<int> place_of = placesOf(typed, places);
-    const auto sherds = orRefuse(catalogue.sherds(orRefuse(catalogue.sherdRows(batch))));
+    const auto sherds = valueOrThrow(catalogue.sherds(valueOrThrow(catalogue.sherdRows(batch))));
     for (std::size_t i = 0; i < typed.size(); ++i) {
       const auto sherd = std::find_if(sherds.begin(), sherds.end(), [&](const SherdRecord& s) {
         return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
@@ -271,14 +275,14 @@ Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow
       if (sherd != sherds.end() && sherd->number.empty() && sherd->state == SherdState::Draft) {
         const SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;
         if (holder == sherd->row) continue;  // a person took it away again
-        const SherdRecord known = holder ? orRefuse(catalogue.sherd(holder)) : SherdRecord();
+        const SherdRecord known = holder ? valueOrThrow(catalogue.sherd(holder)) : SherdRecord();
         if (waitsForPhotographs(catalogue, known) &&
             uniqueKey(known.number) == uniqueKey(typed[i].number)) {
-          takeOver(catalogue, known, *sherd, act);
+          takeOver(catalogue, known, *sherd, provenance);
           continue;
         }
         const FieldChange number{sherd->row, "number", typed[i].number};
-        if (catalogue.change(std::span(&number, 1), act)) continue;
+        if (catalogue.change(std::span(&number, 1), provenance)) continue;
       }
       if (sherd == sherds.end() || uniqueKey(sherd->number) != uniqueKey(typed[i].number))
         left.push_back(typed[i].number);

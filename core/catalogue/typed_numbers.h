@@ -56,6 +56,6 @@ std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow 
 /// for photographs under that number takes over what lies there. Returns the numbers that are left:
 /// no sherd lies there, or it has no context yet. Doing it twice changes nothing.
 Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
-                                                  const Act& act);
+                                                  const Provenance& provenance);
 
 }  // namespace ostraka::catalogue

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSampleSpacing_mm = 0.15;
 constexpr std::size_t kMostPoints = 200'000;
-constexpr float kStray_mm = 2.0f, kCovered_mm = 0.25f;
+constexpr float kOutlier_mm = 2.0f, kCovered_mm = 0.25f;
 constexpr double kCoverAbove_mm = 1.0;  // below it no camera sees the strip
 constexpr std::size_t kCloudBlock = 1024;
 
@@ -144,7 +144,7 @@ Result<CloudFigures> evaluateCloud(const PointCloud& cloud,
   std::vector<Eigen::Vector3f> queries;
   for (const std::size_t i : kept) queries.push_back(cloud.points[i]);
   const std::vector<int> found =
-      nearestWithin(KdTree(truth.points), queries, kStray_mm, options.threads);
+      nearestWithin(KdTree(truth.points), queries, kOutlier_mm, options.threads);
   CloudFigures figures;
   figures.points = kept.size();
   std::vector<Measured> measured;
@@ -161,7 +161,7 @@ Result<CloudFigures> evaluateCloud(const PointCloud& cloud,
     return Error{ErrorCode::UnusableInput,
                  "No point lies within 2 mm of the truth; is it the right frame, unit and side?",
                  {}};
-  figures.stray_percent =
+  figures.outlier_percent =
       100 * static_cast<double>(kept.size() - measured.size()) / static_cast<double>(kept.size());
   figures.flat = figuresOf(measured, isFlat);
   figures.strip = figuresOf(measured, isStrip);

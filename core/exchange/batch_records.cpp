@@ -180,8 +180,9 @@ class Writing {
 
 class Entering {
  public:
-  Entering(Catalogue& catalogue, const std::map<std::string, std::int64_t>& rows, const Act& act)
-      : catalogue_(catalogue), rows_(rows), act_(act) {}
+  Entering(Catalogue& catalogue, const std::map<std::string, std::int64_t>& rows,
+           const Provenance& provenance)
+      : catalogue_(catalogue), rows_(rows), provenance_(provenance) {}
 
   Result<void> batch(const json& b) {
     BatchRecord batch;
@@ -218,7 +219,7 @@ class Entering {
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");
-    const Result<BatchRow> added = catalogue_.addBatch(batch, act_);
+    const Result<BatchRow> added = catalogue_.addBatch(batch, provenance_);
     if (!added) return added.error();
     read.fresh.insert(*added);
     for (const json& p : listOf(b, "photographs"))
@@ -274,7 +275,7 @@ class Entering {
     take(p, "sharpness", photograph.sharpness);
     photograph.used = p.value("used", true);
     photograph.reason = text(p, "reason");
-    const auto saved = restorePhotograph(catalogue_, photograph, text(p, "id"), act_);
+    const auto saved = restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_);
     return saved ? Result<void>() : saved.error();
   }
 
@@ -290,7 +291,7 @@ class Entering {
     take(s, "plate_x_mm", scan.plate_x_mm);
     take(s, "plate_y_mm", scan.plate_y_mm);
     scan.state = fromWord<ScanState>(text(s, "state"));
-    const Result<ScanRow> saved = restoreScan(catalogue_, scan, text(s, "id"), act_);
+    const Result<ScanRow> saved = restoreScan(catalogue_, scan, text(s, "id"), provenance_);
     if (!saved) return saved.error();
     own_[text(s, "id")] = saved->value;
     return {};
@@ -334,7 +335,7 @@ class Entering {
     file.media_type = text(f, "media_type");
     file.role = "photo";
     file.batch = batch;
-    const auto saved = catalogue_.save(file, act_);
+    const auto saved = catalogue_.save(file, provenance_);
     if (!saved) return saved.error();
     read.copies.push_back({text(f, "at"), file.path});
     return {};
@@ -342,7 +343,7 @@ class Entering {
 
   Catalogue& catalogue_;
   const std::map<std::string, std::int64_t>& rows_;
-  const Act& act_;
+  const Provenance& provenance_;
   std::map<std::string, std::int64_t> own_;  ///< id -> row of scans and decisions
   std::string number_;                       ///< of the present batch in the export
 };
@@ -362,8 +363,9 @@ Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<Batc
 }
 
 Result<ReadBatches> readBatches(Catalogue& catalogue, const json& batches,
-                                const std::map<std::string, std::int64_t>& rows, const Act& act) {
-  Entering entering(catalogue, rows, act);
+                                const std::map<std::string, std::int64_t>& rows,
+                                const Provenance& provenance) {
+  Entering entering(catalogue, rows, provenance);
   for (const json& b : batches.at("batches"))
     if (const Result<void> done = entering.batch(b); !done) return done.error();
   return std::move(entering.read);

@@ -32,6 +32,6 @@ struct ReadBatches {
 /// json::exception where something is not as written.
 Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const nlohmann::json& batches,
                                 const std::map<std::string, std::int64_t>& rows,
-                                const catalogue::Act& act);
+                                const catalogue::Provenance& provenance);
 
 }  // namespace ostraka::exchange

@@ -79,7 +79,8 @@ Record* byRow(std::vector<Record>& records, Row row) {
   return found == records.end() ? nullptr : &*found;
 }
 
-Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values, const Act& act) {
+Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values,
+                      const Provenance& provenance) {
   const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
   if (!row) return row.error();
   Result<ContextRecord> found = catalogue.context(*row);
@@ -95,7 +96,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
     return Error{ErrorCode::UnusableInput, "The column closed takes yes or no.", {}};
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
-  if (const auto saved = catalogue.save(context, act); !saved) return saved.error();
+  if (const auto saved = catalogue.save(context, provenance); !saved) return saved.error();
   const std::string number = values.raw("bag");
   if (number.empty()) return {};
   const auto bag_row = places.bag(*row, number);
@@ -112,19 +113,20 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
     return Error{ErrorCode::UnusableInput, "The column count_written takes a whole number.", {}};
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
-  const auto saved = catalogue.save(bag, act);
+  const auto saved = catalogue.save(bag, provenance);
   return saved ? Result<void>() : saved.error();
 }
 
 // Each row whole or not at all, and what became of it.
 class ContextRows {
  public:
-  ContextRows(Catalogue& catalogue, const CsvTable& table, const Act& act, ImportReport& report)
+  ContextRows(Catalogue& catalogue, const CsvTable& table, const Provenance& provenance,
+              ImportReport& report)
       : catalogue_(catalogue),
         table_(table),
-        act_(act),
+        provenance_(provenance),
         report_(report),
-        places_(catalogue, UnknownPlaces::Make, act) {
+        places_(catalogue, UnknownPlaces::Make, provenance) {
   }  // a table of contexts is there to make them
 
   Result<void> row(const CsvRow& row) {
@@ -134,7 +136,7 @@ class ContextRows {
     const bool fresh = !known || !*known;
     const std::int64_t before = catalogue_.historyLength();
     const Result<void> entered =
-        catalogue_.together([&] { return enterRow(catalogue_, places_, values, act_); });
+        catalogue_.together([&] { return enterRow(catalogue_, places_, values, provenance_); });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
     if (!entered) {
       places_.forget();
@@ -162,7 +164,7 @@ class ContextRows {
 
   Catalogue& catalogue_;
   const CsvTable& table_;
-  const Act& act_;
+  const Provenance& provenance_;
   ImportReport& report_;
   Places places_;
   std::set<std::string> made_;
@@ -191,7 +193,7 @@ Result<ContextRow> Places::context(const std::string& site_code, const std::stri
   if (!site) {
     SiteRecord record;
     record.code = record.name = site_code;
-    const Result<SiteRow> made = catalogue_.save(record, act_);
+    const Result<SiteRow> made = catalogue_.save(record, provenance_);
     if (!made) return made.error();
     site = *made;
     made_.push_back(site_code);
@@ -206,7 +208,7 @@ Result<ContextRow> Places::context(const std::string& site_code, const std::stri
       TrenchRecord record;
       record.site = site;
       record.code = trench_code;
-      const Result<TrenchRow> made = catalogue_.save(record, act_);
+      const Result<TrenchRow> made = catalogue_.save(record, provenance_);
       if (!made) return made.error();
       trench = *made;
       made_.push_back(site_code + " " + trench_code);
@@ -216,7 +218,7 @@ Result<ContextRow> Places::context(const std::string& site_code, const std::stri
   record.site = site;
   record.trench = trench;
   record.number = number;
-  const Result<ContextRow> made = catalogue_.save(record, act_);
+  const Result<ContextRow> made = catalogue_.save(record, provenance_);
   if (made) known_[key] = made->value;
   return made;
 }
@@ -235,16 +237,16 @@ Result<BagRow> Places::bag(ContextRow context, const std::string& number) {
   BagRecord record;
   record.context = context;
   record.number = number;
-  const Result<BagRow> made = catalogue_.save(record, act_);
+  const Result<BagRow> made = catalogue_.save(record, provenance_);
   if (made) known_[key] = made->value;
   return made;
 }
 
 Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
-                                    const ImportOptions& options, const Act& act,
+                                    const ImportOptions& options, const Provenance& provenance,
                                     Progress& progress, std::stop_token stop) {
   ImportReport report;
-  ContextRows entering(catalogue, table, act, report);
+  ContextRows entering(catalogue, table, provenance, report);
   const Result<std::size_t> entered =
       enterInPortions(catalogue, table.rows.size(), options, progress, stop,
                       [&](std::size_t i) { return entering.row(table.rows[i]); });

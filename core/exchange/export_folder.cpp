@@ -282,7 +282,7 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
     return Error{ErrorCode::UnusableInput, "There is no sherd to export; choose some first.", {}};
   Exported exported;
   // Tables, records and names of files agree, whatever is edited meanwhile.
-  const Result<void> all = catalogue.inOneMoment([&]() -> Result<void> {
+  const Result<void> all = catalogue.inSnapshot([&]() -> Result<void> {
     ExportPlan plan(catalogue, project, options);
     const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
     if (!sherds) return sherds.error();

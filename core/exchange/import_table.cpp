@@ -15,11 +15,11 @@
 namespace ostraka::exchange {
 namespace {
 
-using catalogue::Act;
 using catalogue::Catalogue;
 using catalogue::Confirmation;
 using catalogue::FieldChange;
 using catalogue::FieldKind;
+using catalogue::Provenance;
 using catalogue::SherdField;
 using catalogue::SherdRecord;
 using catalogue::SherdRow;
@@ -38,14 +38,14 @@ std::string valueOf(const ImportRow& row, const std::string& name) {
 class Importing {
  public:
   Importing(Catalogue& catalogue, const std::vector<ImportRow>& rows, const ImportOptions& options,
-            const Act& act, ImportReport& report)
+            const Provenance& provenance, ImportReport& report)
       : catalogue_(catalogue),
         rows_(rows),
         joins_(rows),
-        places_(catalogue, options.unknown_places, act),
+        places_(catalogue, options.unknown_places, provenance),
         makes_places_(options.unknown_places == UnknownPlaces::Make),
         options_(options),
-        act_(act),
+        provenance_(provenance),
         report_(report) {
     if (const auto persons = catalogue.persons())
       for (const auto& person : *persons) persons_[person.initials] = person.row;
@@ -97,7 +97,7 @@ class Importing {
     if (!lost->empty())
       report_.warnings.push_back(
           "Joins with rows that did not enter are left out: " + joined(*lost, ", ") +
-          "; import the table again when these rows are mended.");
+          "; import the table again when these rows are corrected.");
     return {};
   }
 
@@ -140,7 +140,7 @@ class Importing {
     SherdRecord record;
     record.id = catalogue::uniqueKey(valueOf(row, "uuid"));
     record.batch = row.batch;
-    return catalogue_.addSherd(record, act_);
+    return catalogue_.addSherd(record, provenance_);
   }
 
   Result<bool> change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
@@ -209,7 +209,7 @@ class Importing {
     }
     bool changed = false;
     if (!changes.empty()) {
-      const Result<std::vector<FieldChange>> undo = catalogue_.change(changes, act_);
+      const Result<std::vector<FieldChange>> undo = catalogue_.change(changes, provenance_);
       if (!undo) return named(changes, undo.error(), refusal);
       changed = !undo->empty();
       done_ = std::move(changes);
@@ -218,7 +218,7 @@ class Importing {
     for (const auto& [measurement, initials] : row.measured) {
       catalogue::Measurement m = measurement;
       m.sherd = sherd;
-      Act by = act_;
+      Provenance by = provenance_;
       const auto person = persons_.find(initials);
       by.person = person == persons_.end() ? catalogue::PersonRow{} : person->second;
       const auto before = now->measures.find(m.kind);
@@ -243,7 +243,7 @@ class Importing {
     m.sherd = number.sherd;
     m.kind = kindOf(number.field);
     m.value = *catalogue::parsedNumber(number.value);
-    Act by = act_;
+    Provenance by = provenance_;
     by.person = {};
     return catalogue_.measure(m, by);
   }
@@ -269,7 +269,7 @@ class Importing {
   Places places_;
   bool makes_places_;
   const ImportOptions& options_;
-  const Act& act_;
+  const Provenance& provenance_;
   bool asks_ = false;  ///< the present row is not refused: a person may confirm it
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
@@ -367,10 +367,10 @@ Result<void> previewOrEnter(Catalogue& catalogue, ImportMode mode,
 }
 
 Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<ImportRow>& rows,
-                                  const ImportOptions& options, const Act& act, Progress& progress,
-                                  std::stop_token stop) {
+                                  const ImportOptions& options, const Provenance& provenance,
+                                  Progress& progress, std::stop_token stop) {
   ImportReport report;
-  Importing importing(catalogue, rows, options, act, report);
+  Importing importing(catalogue, rows, options, provenance, report);
   const Result<std::size_t> entered = enterInPortions(
       catalogue, rows.size(), options, progress, stop, [&](std::size_t i) -> Result<void> {
         Result<void> done = importing.row(i);
@@ -384,7 +384,8 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
 
 Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
-                                 const Act& act, Progress& progress, std::stop_token stop) {
+                                 const Provenance& provenance, Progress& progress,
+                                 std::stop_token stop) {
   Result<CsvTable> table = parseCsv(bytes, where);
   if (!table) return table.error();
   if (Result<void> good = checkColumns(*table, where); !good) return good.error();
@@ -395,8 +396,9 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   const std::vector<Refusal> broken = takeBroken(*table);
   const CsvTable own = mapped(*table, *mapping);
   Result<ImportReport> report =
-      mapping->of_contexts ? importContexts(catalogue, own, named, act, progress, stop)
-                           : importSherds(catalogue, sherdRowsOf(own), named, act, progress, stop);
+      mapping->of_contexts
+          ? importContexts(catalogue, own, named, provenance, progress, stop)
+          : importSherds(catalogue, sherdRowsOf(own), named, provenance, progress, stop);
   if (!report) return report;
   addBroken(*report, broken);
   nameColumns(report->refusals, *mapping);

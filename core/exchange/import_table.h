@@ -68,7 +68,7 @@ struct ImportReport {
 /// twice changes nothing. Errors: Cancelled of a preview, what keeps the catalogue from writing.
 Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
                                   const std::vector<ImportRow>& rows, const ImportOptions& options,
-                                  const catalogue::Act& act, Progress& progress,
+                                  const catalogue::Provenance& provenance, Progress& progress,
                                   std::stop_token stop);
 
 /// A table of sherds (a column has their numbers or uuids) or of contexts (site, trench, context,
@@ -76,7 +76,7 @@ Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
 /// Errors: what parseCsv and mapColumns refuse, a column that is there twice.
 Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
-                                 const catalogue::Act& act, Progress& progress,
+                                 const catalogue::Provenance& provenance, Progress& progress,
                                  std::stop_token stop);
 
 /// An import that was stopped, or whose program or computer was.
@@ -98,14 +98,16 @@ Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,
 struct CsvTable;
 /// The second kind of importTable, mapped; stopped and gone on with as importSherds.
 Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
-                                    const ImportOptions& options, const catalogue::Act& act,
-                                    Progress& progress, std::stop_token stop);
+                                    const ImportOptions& options,
+                                    const catalogue::Provenance& provenance, Progress& progress,
+                                    std::stop_token stop);
 
 /// Finds site, trench, context and bag by their codes, or makes what is missing.
 class Places {
  public:
-  Places(catalogue::Catalogue& catalogue, UnknownPlaces unknown, const catalogue::Act& act)
-      : catalogue_(catalogue), unknown_(unknown), act_(act) {}
+  Places(catalogue::Catalogue& catalogue, UnknownPlaces unknown,
+         const catalogue::Provenance& provenance)
+      : catalogue_(catalogue), unknown_(unknown), provenance_(provenance) {}
   /// Errors: an unknown place that must not be made.
   Result<catalogue::ContextRow> context(const std::string& site, const std::string& trench,
                                         const std::string& number);
@@ -118,7 +120,7 @@ class Places {
  private:
   catalogue::Catalogue& catalogue_;
   UnknownPlaces unknown_;
-  catalogue::Act act_;
+  catalogue::Provenance provenance_;
   std::map<std::string, std::int64_t> known_;
   std::vector<std::string> made_;
 };

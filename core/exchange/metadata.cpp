@@ -217,7 +217,8 @@ Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<Conte
 // numbers. What the project has already stays, and the others' records refer to it.
 class Reading {
  public:
-  Reading(Catalogue& catalogue, const Act& act) : catalogue_(catalogue), act_(act) {
+  Reading(Catalogue& catalogue, const Provenance& provenance)
+      : catalogue_(catalogue), provenance_(provenance) {
     for (const auto& p : orEmpty(catalogue.persons())) know(p, keyOf(p));
     for (const auto& s : orEmpty(catalogue.sites())) know(s, keyOf(s));
     for (const auto& t : orEmpty(catalogue.trenches())) know(t, keyOf(t));
@@ -319,14 +320,14 @@ class Reading {
       known_[record.id] = same->second;
       return {};
     }
-    const auto row = catalogue_.save(record, act_);
+    const auto row = catalogue_.save(record, provenance_);
     if (!row) return row.error();
     known_[record.id] = named_[key] = row->value;
     return {};
   }
 
   Catalogue& catalogue_;
-  const Act& act_;
+  const Provenance& provenance_;
   std::map<std::string, std::int64_t> known_, named_;
 };
 
@@ -386,22 +387,23 @@ Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
                                    {"README.txt", *read_me}};
 }
 
-Result<ReadBatches> readMetadata(Catalogue& catalogue, const BagReader& bag, const Act& act) {
+Result<ReadBatches> readMetadata(Catalogue& catalogue, const BagReader& bag,
+                                 const Provenance& provenance) {
   const Result<json> places = jsonOf(bag, "data/metadata/places.json");
   if (!places) return places.error();
   const Result<json> batches = jsonOf(bag, "data/metadata/batches.json");
   if (!batches) return batches.error();
   try {
-    Reading reading(catalogue, act);
+    Reading reading(catalogue, provenance);
     if (Result<void> done = reading.places(*places); !done) return done.error();
     // Older exports have none.
     if (const std::string words = "data/metadata/vocabularies.json"; bag.find(words)) {
       const Result<json> vocabularies = jsonOf(bag, words);
       if (!vocabularies) return vocabularies.error();
-      if (Result<void> done = readVocabularies(catalogue, *vocabularies, act); !done)
+      if (Result<void> done = readVocabularies(catalogue, *vocabularies, provenance); !done)
         return done.error();
     }
-    return readBatches(catalogue, *batches, reading.rows(), act);
+    return readBatches(catalogue, *batches, reading.rows(), provenance);
   } catch (const json::exception& refused) {
     return unusableJson(refused, "These places and batches are not written as Ostraka writes them.",
                         "data/metadata");

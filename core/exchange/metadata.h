@@ -26,6 +26,6 @@ Result<std::vector<MetadataFile>> metadataOf(const catalogue::Catalogue& catalog
 /// of metadata/, with their ids, and terms of vocabularies, into a catalogue that does not have
 /// them yet; what is there stays as it is.
 Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue, const BagReader& bag,
-                                 const catalogue::Act& act);
+                                 const catalogue::Provenance& provenance);
 
 }  // namespace ostraka::exchange

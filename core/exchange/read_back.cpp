@@ -113,11 +113,12 @@ bool sameAs(const SherdRecord& sherd, const ImportRow& row, const std::string& f
 
 class ReadingBack {
  public:
-  ReadingBack(Project& project, const fs::path& folder, const BagReader& bag, const Act& act)
+  ReadingBack(Project& project, const fs::path& folder, const BagReader& bag,
+              const Provenance& provenance)
       : project_(project),
         folder_(folder),
         bag_(bag),
-        act_(act),
+        provenance_(provenance),
         name_(slug(folderNamed(folder).filename().string())) {}
 
   /// All records, read before anything is changed.
@@ -144,7 +145,7 @@ class ReadingBack {
   Result<ImportReport> enter(const ImportOptions& options, Progress& progress,
                              std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
-    Result<ReadBatches> beside = readMetadata(catalogue, bag_, act_);
+    Result<ReadBatches> beside = readMetadata(catalogue, bag_, provenance_);
     if (!beside) return beside.error();
     copies_ = std::move(beside->copies);
     fresh_batches_ = std::move(beside->fresh);
@@ -178,7 +179,7 @@ class ReadingBack {
       }
       ++kept.refused;
       const std::vector<FieldChange> other = otherVersion(*sherd, record.row, name_);
-      const auto undo = catalogue.change(other, act_);
+      const auto undo = catalogue.change(other, provenance_);
       if (!undo) return undo.error();
       if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
       kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
@@ -187,7 +188,8 @@ class ReadingBack {
                                "differs is kept beside them in fields that end in _in_" +
                                    name_ + "."});
     }
-    Result<ImportReport> report = importSherds(catalogue, fresh, options, act_, progress, stop);
+    Result<ImportReport> report =
+        importSherds(catalogue, fresh, options, provenance_, progress, stop);
     if (!report) return report;
     if (report->not_reached > 0) return Error::cancelled();
     for (const ReadSherdJson* record : fresh_records)
@@ -304,7 +306,7 @@ class ReadingBack {
       f.role = file.role;
       f.media_type = mediaTypeOf(file.path);
       f.sherd = *sherd;
-      const auto saved = catalogue.save(f, act_);
+      const auto saved = catalogue.save(f, provenance_);
       if (!saved) return saved.error();
       copies_.push_back({file.path, f.path});
       if (file.role == "model" && file.path.ends_with(".ply")) model = f.path;
@@ -335,7 +337,7 @@ class ReadingBack {
     }
     if (there.empty()) return {};
     const FieldChange change{sherd, "joins", joinTerms(there)};
-    const auto done = catalogue.change(std::span(&change, 1), act_);
+    const auto done = catalogue.change(std::span(&change, 1), provenance_);
     return done ? Result<void>() : done.error();
   }
 
@@ -359,7 +361,7 @@ class ReadingBack {
   Project& project_;
   const fs::path& folder_;
   const BagReader& bag_;
-  const Act& act_;
+  const Provenance& provenance_;
   std::string name_;  ///< of the export's folder, as part of other names
   std::vector<ReadSherdJson> records_;
   std::map<std::string, std::string> uuids_;  ///< of the records, by number
@@ -374,10 +376,11 @@ class ReadingBack {
 }  // namespace
 
 Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMode mode,
-                              const Act& act, Progress& progress, std::stop_token stop) {
+                              const Provenance& provenance, Progress& progress,
+                              std::stop_token stop) {
   const Result<BagReader> bag = BagReader::open(folder, progress, stop);
   if (!bag) return bag.error();
-  ReadingBack reading(project, folder, *bag, act);
+  ReadingBack reading(project, folder, *bag, provenance);
   if (Result<void> read = reading.records(); !read) return read.error();
   ImportReport report;
   bool moved = false;

@@ -15,7 +15,7 @@ namespace ostraka::exchange {
 /// come with their photographs, scans and decisions. The files of new sherds go to
 /// PROJECT/imported/NAME, exported photographs to where they were.
 Result<ImportReport> readBack(catalogue::Project& project, const std::filesystem::path& folder,
-                              ImportMode mode, const catalogue::Act& act, Progress& progress,
-                              std::stop_token stop);
+                              ImportMode mode, const catalogue::Provenance& provenance,
+                              Progress& progress, std::stop_token stop);
 
 }  // namespace ostraka::exchange

@@ -39,7 +39,8 @@ Result<ordered_json> vocabulariesJson(const Catalogue& catalogue,
   return ordered_json{{"vocabularies", all}};
 }
 
-Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies, const Act& act) {
+Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies,
+                              const Provenance& provenance) {
   for (const auto& [name, list] : vocabularies.at("vocabularies").items()) {
     Result<std::vector<Term>> terms = catalogue.vocabulary(name);
     if (!terms) return terms.error();
@@ -63,7 +64,7 @@ Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies, co
       terms->push_back(std::move(term));
     }
     if (terms->size() == before) continue;
-    if (Result<void> set = catalogue.setVocabulary(name, *terms, act); !set) return set;
+    if (Result<void> set = catalogue.setVocabulary(name, *terms, provenance); !set) return set;
   }
   return {};
 }

@@ -14,6 +14,6 @@ Result<nlohmann::ordered_json> vocabulariesJson(const catalogue::Catalogue& cata
 /// Adds the terms that the project knows neither as a term nor as a label of one, behind its own;
 /// those that it has stay as they are. Throws json::exception where something is not as written.
 Result<void> readVocabularies(catalogue::Catalogue& catalogue, const nlohmann::json& vocabularies,
-                              const catalogue::Act& act);
+                              const catalogue::Provenance& provenance);
 
 }  // namespace ostraka::exchange

@@ -196,12 +196,12 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
       std::max(partner * (1 - pose), chances.of_front[static_cast<std::size_t>(e.front)].back());
   if (!d.alternatives.empty()) rival = std::max(rival, d.alternatives[0].score);
   d.margin = d.score - std::min(rival, std::max(alone, partner * (1 - pose)));
-  if (e.slipped) {
+  if (e.check_failed) {
     d.doubt = Doubt::SelfCheck;
     d.reason = "The registration's self-check fails: the back may lie at a wrong place.";
   } else if (partner < options.flag_below) {
-    d.doubt = d.alternatives.empty() ? Doubt::Strangers : Doubt::OtherPartner;
-    d.reason = d.alternatives.empty() ? "The two sides fit hardly better than strangers."
+    d.doubt = d.alternatives.empty() ? Doubt::Unrelated : Doubt::OtherPartner;
+    d.reason = d.alternatives.empty() ? "The two sides fit barely better than unrelated ones."
                                       : "Another partner fits nearly as well.";
   } else if (d.score < options.flag_below) {
     d.doubt = Doubt::OtherPose;
@@ -233,11 +233,13 @@ Result<void> AssignOptions::check() const {
 }
 
 double jointLogLikelihood(double outline, double fracture, int n_scans) {
-  constexpr double kLookAlike = 0.02;  // share of strangers that have an outline nearly the same
-  const double stranger = std::log(1 - kLookAlike) - outline;
-  const double look_alike = std::log(kLookAlike) - fracture;
-  const double most = std::max(stranger, look_alike);
-  const double either = most + std::log(std::exp(stranger - most) + std::exp(look_alike - most));
+  constexpr double kNearDuplicate =
+      0.02;  // share of non-matches that have an outline nearly the same
+  const double non_match = std::log(1 - kNearDuplicate) - outline;
+  const double near_duplicate = std::log(kNearDuplicate) - fracture;
+  const double most = std::max(non_match, near_duplicate);
+  const double either =
+      most + std::log(std::exp(non_match - most) + std::exp(near_duplicate - most));
   // A match against leaving both alone: (1/n) / (lone * lone).
   constexpr double kLone = 0.1;
   return -either - std::log(kLone * kLone * std::max(1, n_scans));

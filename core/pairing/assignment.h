@@ -14,7 +14,7 @@ struct Evidence {
   double log_likelihood = 0;   ///< contour, fracture and position together, of the best start
   double fracture_rms_mm = 0;  ///< of the registered strips; for reasons and reports only
   double overlap = 0;          ///< share of the strip that met the other side, 0..1
-  bool slipped = false;        ///< the registration's self-check says that the pose may be wrong
+  bool check_failed = false;   ///< the registration's self-check says that the pose may be wrong
   double runner_up_start_log_likelihood = -1e9;  ///< second distinct pose of this same pair
 };
 
@@ -26,9 +26,9 @@ struct Alternative {
 /// Why a person must look, for programs; Decision::reason says it to people.
 enum class Doubt {
   None,
-  SelfCheck,     ///< the registration's: see its Slip
+  SelfCheck,     ///< the registration's: see its FailedCheck
   OtherPartner,  ///< another partner fits nearly as well
-  Strangers,     ///< the two sides fit hardly better than strangers
+  Unrelated,     ///< the two sides fit barely better than unrelated ones
   OtherPose,     ///< another pose of the same two sides fits nearly as well
   Displaced      ///< a person gave its partner to another; set by who knows that, never here
 };
@@ -70,8 +70,8 @@ Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_fr
                                     double lone_log_likelihood);
 
 /// Log-likelihood ratio from outline, fracture and batch size, for Evidence::log_likelihood. A
-/// false pair is a stranger (judged by the outline, against strangers at random) or, one time in
-/// fifty, a look-alike (judged by the fracture, against fractures of like outlines); whichever
+/// false pair is a non-match (judged by the outline, against non-matches at random) or, one time in
+/// fifty, a near-duplicate (judged by the fracture, against fractures of like outlines); whichever
 /// explains more counts. A scan has n_scans possible partners, and one in ten has none.
 double jointLogLikelihood(double outline, double fracture, int n_scans);
 

@@ -54,7 +54,7 @@ Result<Outline> outlineOf(const scan::Scan& scan, batch::Side side, const Contou
 double outlineLogLikelihood(const PlanarFit& fit, double perimeter_mm) {
   constexpr std::array<double, 8> kSigmas = {0.05, 0.07, 0.10, 0.14, 0.20, 0.28, 0.40, 0.56};  // mm
   constexpr double kMissing = 0.08, kHidden = 2.0;  // share of hidden strip, its usual depth in mm
-  constexpr double kOther = 0.015;  // of the perimeter: half of a stranger's distances exceed it
+  constexpr double kOther = 0.015;  // of the perimeter: half of a non-match's distances exceed it
   constexpr double kCorrelation = 6.0;  // mm, about a wall's thickness
   constexpr double kPi = std::numbers::pi;
   constexpr double kLeast = 1e-300;  // metres apart (a wrong unit) both terms below would vanish
@@ -212,7 +212,7 @@ PairCandidate defaultCandidate(const Outline& front, const Outline& back,
 
 PairCandidate paperCandidate(const Outline& front, const Outline& back,
                              const CandidateOptions& options) {
-  // Costs of one sherd are 0.1 to 0.3 rad, seldom 0.6; above 0.5 rad strangers are commoner.
+  // Costs of one sherd are 0.1 to 0.3 rad, seldom 0.6; above 0.5 rad non-matches are commoner.
   constexpr double kSame = 0.10, kEven = 0.50;
   const std::vector<double> costs = shiftCosts(front.angles, back.angles, Offset::None);
   PairCandidate candidate;

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-using registration::Slip;
+using registration::FailedCheck;
 
 constexpr std::array<const char*, 8> kSlips = {"",
                                                "upside_down",
@@ -23,12 +23,12 @@ constexpr std::array<const char*, 8> kSlips = {"",
                                                "rival_place",
                                                "outlines_alone"};
 constexpr std::array<const char*, 6> kDoubts = {"",          "self_check", "other_partner",
-                                                "strangers", "other_pose", "displaced"};
+                                                "unrelated", "other_pose", "displaced"};
 
-Slip slipOf(const std::string& name) {
+FailedCheck slipOf(const std::string& name) {
   for (std::size_t i = 0; i < kSlips.size(); ++i)
-    if (name == kSlips[i]) return static_cast<Slip>(i);
-  return Slip::None;
+    if (name == kSlips[i]) return static_cast<FailedCheck>(i);
+  return FailedCheck::None;
 }
 
 ordered_json scansJson(const std::vector<ScanRef>& scans, const std::vector<std::string>& files) {
@@ -72,8 +72,8 @@ ordered_json toJson(const RegisteredCandidate& c, const CandidateTable& table) {
           {"crossing_share", r.crossing_share},
           {"thickness_mm", r.thickness_mm},
           {"scale", r.scale},
-          {"slipped", r.slipped},
-          {"slip", name(r.slip)},
+          {"check_failed", r.check_failed},
+          {"failed_check", name(r.failed_check)},
           {"reason", r.reason},
           {"start", r.start},
           {"T_front_from_back", ostraka::toJson(r.front_from_back)},
@@ -92,8 +92,8 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   r.crossing_share = numberAt(value, "crossing_share");
   r.thickness_mm = numberAt(value, "thickness_mm");
   r.scale = numberAt(value, "scale");
-  r.slipped = value.at("slipped").get<bool>();
-  r.slip = slipOf(value.at("slip").get<std::string>());
+  r.check_failed = value.at("check_failed").get<bool>();
+  r.failed_check = slipOf(value.at("failed_check").get<std::string>());
   r.reason = value.at("reason").get<std::string>();
   r.start = wholeAt(value, "start");
   const Result<Eigen::Isometry3d> pose = isometryFromJson(value.at("T_front_from_back"), where);
@@ -116,7 +116,7 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   c.evidence.log_likelihood = numberAt(value, "log_likelihood");
   c.evidence.fracture_rms_mm = r.fracture_rms_mm;
   c.evidence.overlap = r.fracture_overlap;
-  c.evidence.slipped = r.slipped;
+  c.evidence.check_failed = r.check_failed;
   c.evidence.runner_up_start_log_likelihood = c.evidence.log_likelihood - r.runner_up_gap;
   return c;
 }
@@ -192,8 +192,8 @@ const char* name(pairing::Doubt doubt) {
   return kDoubts.at(static_cast<std::size_t>(doubt));
 }
 
-const char* name(Slip slip) {
-  return kSlips.at(static_cast<std::size_t>(slip));
+const char* name(FailedCheck failed_check) {
+  return kSlips.at(static_cast<std::size_t>(failed_check));
 }
 
 }  // namespace ostraka::pipeline

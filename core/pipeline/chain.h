@@ -62,7 +62,7 @@ using Masks = std::vector<cv::Mat1b>;
 struct DecidedPair {
   int front = 0, back = 0;
   double score = 0, margin = 0;
-  bool ambiguous = false, slipped = false;
+  bool ambiguous = false, check_failed = false;
   std::string reason;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   double fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
@@ -88,10 +88,10 @@ const batch::Shot* findShot(const batch::Batch& batch, const rig::PosedImage& im
 /// The chain, one call per step. Each runs its stage or finds it whole.
 Result<Staged<Poses>> poseStage(const Run& run);
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);
-/// The masks as people mended them (mask_strokes.h); without strokes on this side as they were
+/// The masks as people edited them (mask_strokes.h); without strokes on this side as they were
 /// found. The program's own stay where they are.
-Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
-                                Staged<Masks> found);
+Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                                       Staged<Masks> found);
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
                                       const Staged<Masks>& masks);
 /// Pieces as people joined and split them; without such decisions as the program found them.

@@ -181,7 +181,7 @@ Decisions followed(const Decisions& all, const fs::path& output) {
   return none || decided > computed ? Decisions() : standing(all);
 }
 
-bool saysTheSame(const PairDecision& a, const PairDecision& b) {
+bool equivalent(const PairDecision& a, const PairDecision& b) {
   const bool posed = a.front_from_back.has_value();
   return a.kind == b.kind && a.settle == b.settle &&
          (a.kind != DecisionKind::Split || a.cut_mm == b.cut_mm) &&
@@ -194,18 +194,18 @@ bool saysTheSame(const PairDecision& a, const PairDecision& b) {
          (!posed || a.front_from_back->isApprox(*b.front_from_back, kSamePose));
 }
 
-bool isSaidIn(const Decisions& list, const PairDecision& d) {
+bool containedIn(const Decisions& list, const PairDecision& d) {
   return std::any_of(list.begin(), list.end(),
-                     [&](const PairDecision& other) { return saysTheSame(other, d); });
+                     [&](const PairDecision& other) { return equivalent(other, d); });
 }
 
 Decisions changedSince(const Decisions& all, const Decisions& followed) {
   Decisions changed;
   const Decisions now = standing(all);
   for (const PairDecision& d : now)
-    if (!isSaidIn(followed, d)) changed.push_back(d);
+    if (!containedIn(followed, d)) changed.push_back(d);
   for (const PairDecision& d : followed)
-    if (!isSaidIn(now, d)) changed.push_back(d);
+    if (!containedIn(now, d)) changed.push_back(d);
   return changed;
 }
 

@@ -84,8 +84,8 @@ nlohmann::ordered_json toJson(const Decisions& decisions);
 Decisions followed(const Decisions& all, const std::filesystem::path& output);
 /// They differ in nothing but their numbers, moments, persons and notes, as a decision and the same
 /// one done again after an undo: results of the one are results of the other.
-bool saysTheSame(const PairDecision& a, const PairDecision& b);
-bool isSaidIn(const Decisions& list, const PairDecision& decision);
+bool equivalent(const PairDecision& a, const PairDecision& b);
+bool containedIn(const Decisions& list, const PairDecision& decision);
 /// What holds and was not followed, and what was followed and holds no more.
 Decisions changedSince(const Decisions& all, const Decisions& followed);
 

@@ -134,8 +134,8 @@ LiveFit fitOf(const registration::Registration& r) {
   fit.fracture_rms_mm = r.fracture_rms_mm;
   fit.fracture_overlap = r.fracture_overlap;
   fit.uncertainty_mm = r.uncertainty_mm;
-  fit.slipped = r.slipped;
-  fit.slip = r.slip;
+  fit.check_failed = r.check_failed;
+  fit.failed_check = r.failed_check;
   return fit;
 }
 

@@ -21,8 +21,8 @@ struct LiveFit {
   double fracture_rms_mm = 0, fracture_overlap = 0;
   double uncertainty_mm = 0;  ///< 0: nothing was estimated, the pose is as it was given
   double contour_rms_mm = 0;  ///< 0: not asked
-  bool slipped = false;
-  registration::Slip slip = registration::Slip::None;
+  bool check_failed = false;
+  registration::FailedCheck failed_check = registration::FailedCheck::None;
   int shift = -1;  ///< start point on the back's contour, of 200; -1: not known
 
   /// So little of the fractures lies together that nothing is shown by it: sides that were seen

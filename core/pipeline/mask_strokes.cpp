@@ -175,13 +175,13 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) 
 }
 
 std::string maskFolder(const fs::path& output, batch::Side side) {
-  const std::string mended = std::string("mended_") + batch::name(side);
+  const std::string edited = std::string("edited_") + batch::name(side);
   const Result<std::vector<MaskStroke>> strokes = readMaskStrokes(output);
   std::error_code ignored;
   const bool any = strokes && std::any_of(strokes->begin(), strokes->end(),
                                           [&](const MaskStroke& s) { return s.side == side; });
-  return any && fs::exists(output / "work" / mended / "stage.json", ignored)
-             ? mended
+  return any && fs::exists(output / "work" / edited / "stage.json", ignored)
+             ? edited
              : std::string("masks_") + batch::name(side);
 }
 

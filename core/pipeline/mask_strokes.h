@@ -60,7 +60,7 @@ struct MaskedPhotograph {
 /// In the order of sides, stops and cameras. Errors: UnusableInput when there are no whole masks.
 Result<std::vector<MaskedPhotograph>> maskedPhotographs(const std::filesystem::path& output);
 
-/// The folder under OUT/work with the masks that count: mended_front when people painted on it and
+/// The folder under OUT/work with the masks that count: edited_front when people painted on it and
 /// a run has followed, else masks_front.
 std::string maskFolder(const std::filesystem::path& output, batch::Side side);
 

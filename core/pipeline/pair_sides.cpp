@@ -27,8 +27,8 @@ registration::Registration outlinesAlone(const pairing::PairCandidate& candidate
   rough.start = 0;
   rough.runner_up_gap = 1e9;
   rough.uncertainty_mm = 1;  // a start's tilt and height
-  rough.slipped = true;
-  rough.slip = registration::Slip::OutlinesAlone;
+  rough.check_failed = true;
+  rough.failed_check = registration::FailedCheck::OutlinesAlone;
   rough.reason = "Only the outlines tie these sides: " + std::move(why);
   return rough;
 }
@@ -104,7 +104,7 @@ pairing::Evidence evidenceOf(const Registered& r, const scan::Scan& back, double
       pairing::jointLogLikelihood(outlineOf(r, back), fracture, n_scans) + place_log_likelihood;
   evidence.fracture_rms_mm = found.fracture_rms_mm;
   evidence.overlap = found.fracture_overlap;
-  evidence.slipped = found.slipped;
+  evidence.check_failed = found.check_failed;
   evidence.runner_up_start_log_likelihood = evidence.log_likelihood - found.runner_up_gap;
   return evidence;
 }
@@ -219,7 +219,7 @@ Result<PairTable> assigned(const CandidateTable& candidates,
   for (pairing::Decision decision : assignment->pairs) {
     const RegisteredCandidate* c = candidates.find(decision.front, decision.back);
     if (c == nullptr) continue;
-    if (c->registration.slipped) decision.reason = c->registration.reason;
+    if (c->registration.check_failed) decision.reason = c->registration.reason;
     table.pairs.push_back({decision, c->registration, c->start().contour_rms_mm, 0, {}, {}});
   }
   return table;
@@ -257,7 +257,7 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
                      {"fracture_overlap", pair.registration.fracture_overlap},
                      {"uncertainty_mm", pair.registration.uncertainty_mm},
                      {"contour_rms_mm", pair.contour_rms_mm},
-                     {"slipped", pair.registration.slipped}});
+                     {"check_failed", pair.registration.check_failed}});
     if (pair.registration.fracture_rms_mm > 0)
       pairs.back()["fracture_rms_mm"] =
           pair.registration.fracture_rms_mm;  // null: no fractures to compare

@@ -47,7 +47,7 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
            p.at("score"),
            p.at("margin"),
            p.at("ambiguous"),
-           p.at("slipped"),
+           p.at("check_failed"),
            p.at("reason"),
            *pose,
            p.at("fracture_rms_mm").is_null() ? 0.0 : numberAt(p, "fracture_rms_mm"),

@@ -220,7 +220,7 @@ Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& 
 
 // Where a round plate turned below a camera at rest, what was taken from elsewhere has a light and
 // a room of its own, which a single photograph does not tell.
-void leaveOutStrays(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
+void leaveOutOutliers(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
   if (run.batch.way != batch::Way::FreeCamera || !run.batch.plate->round) return;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     std::vector<rig::PosedImage> images;
@@ -325,7 +325,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     notes.warnings = poses->warnings;
     const ScaleCheck scale = scaleOf(run, *poses, notes);
     if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
-    leaveOutStrays(run, *poses, notes);
+    leaveOutOutliers(run, *poses, notes);
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
       return written.error();

@@ -117,10 +117,10 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   Result<Staged<Masks>> masks = maskStage(run, side, poses);
   if (!masks) return masks.error();
   stages.push_back({"masks, " + name, masks->record});
-  masks = mendStage(run, side, poses, std::move(*masks));
+  masks = editedMasksStage(run, side, poses, std::move(*masks));
   if (!masks) return masks.error();
   if (masks->record.notes.figures.contains("strokes")) {
-    stages.push_back({"masks as mended, " + name, masks->record});
+    stages.push_back({"masks as edited, " + name, masks->record});
     stages.back().record.notes.warnings.clear();  // the stage before tells them
   }
   if (cancelled()) return Error::cancelled();

@@ -11,21 +11,21 @@ namespace ostraka::pipeline {
 namespace {
 
 using pairing::Doubt;
+using registration::FailedCheck;
 using registration::Registration;
-using registration::Slip;
 
-// The figure that a slip is about.
+// The figure that a failed_check is about.
 double valueOf(const Registration& r) {
-  switch (r.slip) {
-    case Slip::FacesCross:
+  switch (r.failed_check) {
+    case FailedCheck::FacesCross:
       return r.crossing_share;
-    case Slip::NoSharedFracture:
+    case FailedCheck::NoSharedFracture:
       return r.fracture_overlap;
-    case Slip::FractureMisfits:
+    case FailedCheck::FractureMisfits:
       return r.fracture_rms_mm;
-    case Slip::FractureLoose:
+    case FailedCheck::FractureLoose:
       return r.uncertainty_mm;
-    case Slip::RivalPlace:
+    case FailedCheck::RivalPlace:
       return r.runner_up_mm;
     default:
       return 0;
@@ -82,8 +82,8 @@ void pairUp(ReviewCard& card, const SherdPair& pair, const CandidateTable& table
                                          : CardState::Sure;
   card.doubt = pair.decision.doubt;
   if (card.doubt == Doubt::SelfCheck) {
-    card.slip = pair.registration.slip;
-    card.slip_value = valueOf(pair.registration);
+    card.failed_check = pair.registration.failed_check;
+    card.check_value = valueOf(pair.registration);
   }
   nameRival(card, pair, table);
   for (std::size_t i = 0; i < card.candidates.size(); ++i)
@@ -144,7 +144,7 @@ void readDecided(const std::filesystem::path& pairs_file, CandidateTable& table)
         done.registration.fracture_rms_mm = numberAt(pair, "fracture_rms_mm");
       done.registration.fracture_overlap = numberAt(pair, "fracture_overlap");
       done.registration.uncertainty_mm = numberAt(pair, "uncertainty_mm");
-      done.registration.slipped = pair.at("slipped").get<bool>();
+      done.registration.check_failed = pair.at("check_failed").get<bool>();
       table.decided.push_back(std::move(done));
     }
   } catch (const nlohmann::json::exception&) {
@@ -166,9 +166,9 @@ ReviewCandidate candidateOf(const RegisteredCandidate& c) {
   out.shift = c.start().shift;
   for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
   std::sort(out.shifts.begin(), out.shifts.end());
-  out.slipped = r.slipped;
-  out.slip = r.slip;
-  out.slip_value = valueOf(r);
+  out.check_failed = r.check_failed;
+  out.failed_check = r.failed_check;
+  out.check_value = valueOf(r);
   return out;
 }
 

@@ -26,9 +26,9 @@ struct ReviewCandidate {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   int shift = 0;            ///< start point on the back's contour, of 200
   std::vector<int> shifts;  ///< the good start points, rising
-  bool slipped = false;
-  registration::Slip slip = registration::Slip::None;
-  double slip_value = 0;  ///< what the slip is about, in the unit of its field
+  bool check_failed = false;
+  registration::FailedCheck failed_check = registration::FailedCheck::None;
+  double check_value = 0;  ///< what the failed_check is about, in the unit of its field
 };
 
 /// One front: what was found for it, what was decided, why it is doubtful.
@@ -44,8 +44,9 @@ struct ReviewCard {
   std::vector<ReviewCandidate> candidates;                            ///< likeliest first
 
   pairing::Doubt doubt = pairing::Doubt::None;
-  registration::Slip slip = registration::Slip::None;  ///< with Doubt::SelfCheck
-  double slip_value = 0;
+  registration::FailedCheck failed_check =
+      registration::FailedCheck::None;  ///< with Doubt::SelfCheck
+  double check_value = 0;
   /// With Doubt::OtherPartner the rival: a back for this front, or a front for its back.
   int rival_back = -1, rival_front = -1;
   double fracture_rms_mm = 0, rival_fracture_rms_mm = 0;

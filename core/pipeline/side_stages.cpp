@@ -257,7 +257,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
         continue;
       notes.warnings.push_back(images[i].file +
                                ": No sherd is marked on this photograph; it is left out. If sherds "
-                               "are on it, take it again or mend its mask.");
+                               "are on it, take it again or edit its mask.");
       run.progress.note(NoteLevel::Warning, notes.warnings.back());
     }
     if (used.size() < 3)

@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr float kReach_mm = 1.0f;  // fractures of look-alikes differ by half of it
+constexpr float kReach_mm = 1.0f;  // fractures of near-duplicates differ by half of it
 constexpr float kMinCos = 0.7071f;
 constexpr float kPatch_mm = 1.5f;  // the noise of scans is alike over 1 mm, that of stereo over 2
 constexpr float kAlike_mm = 3.0f;  // stereo errs alike over 2 to 4 mm; beyond, breaks are too short

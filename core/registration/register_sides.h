@@ -46,7 +46,7 @@ struct RegistrationOptions {
 };
 
 /// Why a pose must not be believed, for programs; `reason` says it to people.
-enum class Slip {
+enum class FailedCheck {
   None,
   UpsideDown,        ///< both sides face the same way
   FacesCross,        ///< crossing_share
@@ -75,10 +75,10 @@ struct Registration {
   double runner_up_mm = 0;    ///< RMS distance to that pose over the back's points
   double crossing_share = 0;  ///< share of faces that lie behind the other side's face
   double thickness_mm = 0;    ///< median distance of the faces
-  bool slipped = false;       ///< the pose must not be believed
-  Slip slip = Slip::None;     ///< why
-  std::string reason;         ///< why slipped, one sentence; empty otherwise
-  int start = -1;             ///< index of the start it came from
+  bool check_failed = false;  ///< the pose must not be believed
+  FailedCheck failed_check = FailedCheck::None;  ///< why
+  std::string reason;  ///< why check_failed, one sentence; empty otherwise
+  int start = -1;      ///< index of the start it came from
 };
 
 /// Registers two scans that show the two sides of one sherd, from rough start poses (within about

@@ -82,31 +82,36 @@ void judgeRegistration(const Strip& front, const Strip& back, Registration& foun
   found.crossing_share = wall.crossing_share;
   found.thickness_mm = wall.median_mm;
   const double facing = front.up.dot(found.front_from_back.linear() * back.up);
-  const auto slip = [&found](Slip why, std::string reason) {
-    found.slipped = true;
-    found.slip = why;
+  const auto failed_check = [&found](FailedCheck why, std::string reason) {
+    found.check_failed = true;
+    found.failed_check = why;
     found.reason = std::move(reason);
   };
   if (facing > 0)
-    slip(Slip::UpsideDown, "The back lies upside down: both sides face the same way.");
+    failed_check(FailedCheck::UpsideDown,
+                 "The back lies upside down: both sides face the same way.");
   else if (wall.compared > 20 && wall.crossing_share > kLargestCrossing)
-    slip(Slip::FacesCross, sentence("The faces cross: %.0f %% of the front lies behind the back.",
-                                    100 * wall.crossing_share));
+    failed_check(FailedCheck::FacesCross,
+                 sentence("The faces cross: %.0f %% of the front lies behind the back.",
+                          100 * wall.crossing_share));
   else if (found.fracture_overlap < kSmallestOverlap)
-    slip(Slip::NoSharedFracture,
-         "The two scans share almost no broken edge; outlines alone tie them.");
+    failed_check(FailedCheck::NoSharedFracture,
+                 "The two scans share almost no broken edge; outlines alone tie them.");
   else if (found.fracture_overlap < kLittleOverlap)
-    slip(Slip::NoSharedFracture, sentence("The two scans share only %.0f %% of the broken edge.",
-                                          100 * found.fracture_overlap));
+    failed_check(FailedCheck::NoSharedFracture,
+                 sentence("The two scans share only %.0f %% of the broken edge.",
+                          100 * found.fracture_overlap));
   else if (found.fracture_rms_mm > kLargestRmsMm)
-    slip(Slip::FractureMisfits,
-         sentence("The broken edges do not fit: %.2f mm RMS.", found.fracture_rms_mm));
+    failed_check(FailedCheck::FractureMisfits,
+                 sentence("The broken edges do not fit: %.2f mm RMS.", found.fracture_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)
-    slip(Slip::FractureLoose, sentence("The fracture hardly fixes the pose: uncertain by %.2f mm.",
-                                       found.uncertainty_mm));
+    failed_check(FailedCheck::FractureLoose,
+                 sentence("The fracture hardly fixes the pose: uncertain by %.2f mm.",
+                          found.uncertainty_mm));
   else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
-    slip(Slip::RivalPlace,
-         sentence("A place %.1f mm along the fracture fits nearly as well.", found.runner_up_mm));
+    failed_check(
+        FailedCheck::RivalPlace,
+        sentence("A place %.1f mm along the fracture fits nearly as well.", found.runner_up_mm));
 }
 
 }  // namespace ostraka::registration

@@ -22,12 +22,12 @@ Thickness thicknessOf(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back);
 
 /// Log-likelihood ratio of the fractures' RMS: one break, against two breaks with outlines as alike
-/// as look-alikes' (their relief differs by 0.15 mm RMS a side and their RMS is 0.24 mm and more,
-/// while true pairs on clean scans stay below 0.17). noise_mm: SD of the strips' own points, both
-/// sides together.
+/// as near-duplicates' (their relief differs by 0.15 mm RMS a side and their RMS is 0.24 mm and
+/// more, while true pairs on clean scans stay below 0.17). noise_mm: SD of the strips' own points,
+/// both sides together.
 double fractureLogLikelihood(double fracture_rms_mm, double noise_mm, int pairs);
 
-/// Sets slipped and reason from the figures already in `found`. A sentence for a person.
+/// Sets check_failed and reason from the figures already in `found`. A sentence for a person.
 void judgeRegistration(const Strip& front, const Strip& back, Registration& found);
 
 }  // namespace ostraka::registration

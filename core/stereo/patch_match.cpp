@@ -56,26 +56,26 @@ bool continued(const Eigen::Vector3f& from_ray, const Plane& from, const Eigen::
 }
 
 /// The best plane so far at one pixel.
-struct Contest {
-  const Judge& judge;
+struct Hypothesis {
+  const PhotometricCost& photometric;
   DepthRange range;
   Plane best;
   float best_cost;
   /// A pixel's width seen under about 20 degrees, of the depth: what moves a match by one pixel.
   float relative_unit;
 
-  void offer(const Plane& plane) {
+  void test(const Plane& plane) {
     if (plane.depth < range.near || plane.depth > range.far) return;
     if (alike(plane, best, relative_unit * plane.depth)) return;
-    const float cost = judge.cost(plane);
+    const float cost = photometric.cost(plane);
     if (cost >= best_cost) return;
     best_cost = cost;
     best = plane;
   }
 };
 
-void offerNeighbours(const Frame& frame, const PlaneMap& planes, const cv::Point& p,
-                     Contest& contest) {
+void testNeighbours(const Frame& frame, const PlaneMap& planes, const cv::Point& p,
+                    Hypothesis& hypothesis) {
   for (const Offset& o : kNeighbours) {
     const int x = p.x + o.x, y = p.y + o.y;
     if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) continue;
@@ -85,24 +85,24 @@ void offerNeighbours(const Frame& frame, const PlaneMap& planes, const cv::Point
     if (planes.depth[n] <= 0 || planes.cost[n] >= kNoMatch) continue;
     Plane plane;
     if (continued(frame.ray(static_cast<float>(x), static_cast<float>(y)),
-                  {planes.depth[n], planes.normal[n]}, contest.judge.ray(), plane))
-      contest.offer(plane);
+                  {planes.depth[n], planes.normal[n]}, hypothesis.photometric.ray(), plane))
+      hypothesis.test(plane);
   }
 }
 
-void offerPerturbed(Random random, float scale, Contest& contest) {
-  if (contest.best.depth <= 0) return;
-  const float unit = scale * contest.relative_unit * contest.best.depth;
-  const float moved = contest.best.depth + (2 * random() - 1) * unit;
+void testPerturbed(Random random, float scale, Hypothesis& hypothesis) {
+  if (hypothesis.best.depth <= 0) return;
+  const float unit = scale * hypothesis.relative_unit * hypothesis.best.depth;
+  const float moved = hypothesis.best.depth + (2 * random() - 1) * unit;
   const Eigen::Vector3f tilted =
-      (contest.best.normal + 0.6F * scale * random.inCube()).normalized();
-  contest.offer({moved, contest.best.normal});
-  contest.offer({contest.best.depth, tilted});
-  contest.offer({contest.best.depth + (random() - 0.5F) * unit,
-                 (contest.best.normal + 0.2F * scale * random.inCube()).normalized()});
-  if (contest.best_cost < 0.5F || scale < 0.5F) return;
-  const DepthRange& range = contest.range;  // still lost: anywhere
-  contest.offer({range.near + random() * (range.far - range.near), tilted});
+      (hypothesis.best.normal + 0.6F * scale * random.inCube()).normalized();
+  hypothesis.test({moved, hypothesis.best.normal});
+  hypothesis.test({hypothesis.best.depth, tilted});
+  hypothesis.test({hypothesis.best.depth + (random() - 0.5F) * unit,
+                   (hypothesis.best.normal + 0.2F * scale * random.inCube()).normalized()});
+  if (hypothesis.best_cost < 0.5F || scale < 0.5F) return;
+  const DepthRange& range = hypothesis.range;  // still lost: anywhere
+  hypothesis.test({range.near + random() * (range.far - range.near), tilted});
 }
 
 }  // namespace
@@ -153,38 +153,41 @@ void refinePlanes(const Frame& coarse, const PlaneMap& coarse_planes, const Fram
   }
 }
 
-void sweepPlanes(std::span<const Frame* const> frames, int view, std::span<const Link> links,
-                 std::span<const DepthRange> ranges, const SweepOptions& options, PlaneMap& planes,
-                 const std::stop_token& stop) {
+void propagate(std::span<const Frame* const> frames, int view, std::span<const Link> links,
+               std::span<const DepthRange> ranges, const PropagationOptions& options,
+               PlaneMap& planes, const std::stop_token& stop) {
   const Frame& frame = *frames[static_cast<std::size_t>(view)];
-  Judge judge(frames, view, links, options.judge);
+  PhotometricCost photometric(frames, view, links, options.cost);
   std::vector<std::uint32_t> active(frame.pixels.size(), ~0U);
   for (std::size_t k = 0; k < frame.pixels.size(); ++k) {
     if (k % kPollEvery == 0 && stop.stop_requested()) return;
     planes.cost[k] = kNoMatch;
-    if (planes.depth[k] <= 0 || !judge.moveTo(frame.pixels[k])) continue;
+    if (planes.depth[k] <= 0 || !photometric.moveTo(frame.pixels[k])) continue;
     const Plane plane{planes.depth[k], planes.normal[k]};
-    judge.use(~0U);
+    photometric.use(~0U);
     if (options.max_active_sources > 0)
-      active[k] = judge.bestSources(plane, options.max_active_sources);
-    judge.use(active[k]);
-    planes.cost[k] = judge.cost(plane);
+      active[k] = photometric.bestSources(plane, options.max_active_sources);
+    photometric.use(active[k]);
+    planes.cost[k] = photometric.cost(plane);
   }
   for (int half = 0; half < 2 * options.rounds; ++half) {
     const float scale = options.first_perturbation * std::pow(0.5F, static_cast<float>(half / 2));
     for (std::size_t k = 0; k < frame.pixels.size(); ++k) {
       if (k % kPollEvery == 0 && stop.stop_requested()) return;
       const cv::Point p = frame.pixels[k];
-      if (((p.x + p.y + half) & 1) == 0 || !judge.moveTo(p)) continue;
-      judge.use(active[k]);
-      Contest contest{
-          judge, ranges[k], {planes.depth[k], planes.normal[k]}, planes.cost[k], 3.0F / frame.fx};
-      offerNeighbours(frame, planes, p, contest);
-      offerPerturbed(Random(mixed(options.seed, k, static_cast<std::uint64_t>(half + 1))), scale,
-                     contest);
-      planes.depth[k] = contest.best.depth;
-      planes.normal[k] = contest.best.normal;
-      planes.cost[k] = contest.best_cost;
+      if (((p.x + p.y + half) & 1) == 0 || !photometric.moveTo(p)) continue;
+      photometric.use(active[k]);
+      Hypothesis hypothesis{photometric,
+                            ranges[k],
+                            {planes.depth[k], planes.normal[k]},
+                            planes.cost[k],
+                            3.0F / frame.fx};
+      testNeighbours(frame, planes, p, hypothesis);
+      testPerturbed(Random(mixed(options.seed, k, static_cast<std::uint64_t>(half + 1))), scale,
+                    hypothesis);
+      planes.depth[k] = hypothesis.best.depth;
+      planes.normal[k] = hypothesis.best.normal;
+      planes.cost[k] = hypothesis.best_cost;
     }
   }
 }

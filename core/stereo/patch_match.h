@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "stereo/hull.h"
-#include "stereo/judge.h"
+#include "stereo/photometric_cost.h"
 
 namespace ostraka::stereo {
 
@@ -24,8 +24,8 @@ struct PlaneMap {
   }
 };
 
-struct SweepOptions {
-  JudgeOptions judge;
+struct PropagationOptions {
+  CostOptions cost;
   int rounds = 3;
   int max_active_sources = 0;    ///< per pixel, chosen by the first plane; 0 = all
   float first_perturbation = 1;  ///< of depth, in multiples of the depth that moves one pixel
@@ -35,9 +35,9 @@ struct SweepOptions {
 /// Improves one view's planes in place by checkerboard propagation and random perturbation
 /// (Galliani et al., ICCV 2015). ranges: per pixel of the frame's list. Deterministic for a seed;
 /// left half done when stop is requested.
-void sweepPlanes(std::span<const Frame* const> frames, int view, std::span<const Link> links,
-                 std::span<const DepthRange> ranges, const SweepOptions& options, PlaneMap& planes,
-                 const std::stop_token& stop);
+void propagate(std::span<const Frame* const> frames, int view, std::span<const Link> links,
+               std::span<const DepthRange> ranges, const PropagationOptions& options,
+               PlaneMap& planes, const std::stop_token& stop);
 
 /// Random planes inside the ranges, a third of them level with the plate.
 void startPlanes(const Frame& frame, std::span<const DepthRange> ranges, std::uint64_t seed,

@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "cloud/nearest.h"
-#include "stereo/judge.h"
+#include "stereo/photometric_cost.h"
 
 namespace ostraka::stereo {
 namespace {
@@ -62,17 +62,17 @@ std::optional<Costs> costsBetween(std::span<const Frame* const> frames, std::siz
                                   const SurfacePoint& point) {
   const Frame& frame = *frames[from];
   const Link link = linkBetween(frame, *frames[to], static_cast<int>(to));
-  JudgeOptions one;
+  CostOptions one;
   one.best_sources = 1;
-  Judge judge(frames, static_cast<int>(from), {&link, 1}, one);
-  if (!judge.moveTo(pixel)) return std::nullopt;
+  PhotometricCost photometric(frames, static_cast<int>(from), {&link, 1}, one);
+  if (!photometric.moveTo(pixel)) return std::nullopt;
   const Eigen::Vector3f normal = frame.rotation * point.normal;
-  const float along = normal.dot(judge.ray());
+  const float along = normal.dot(photometric.ray());
   const Eigen::Vector3f p = frame.toCamera(point.position);
   Costs costs;
   for (int k = -kSteps; k <= kSteps; ++k) {
     const float moved = static_cast<float>(k) * kStep_px * point.footprint_mm;
-    const float cost = judge.cost({(normal.dot(p) + moved) / along, normal});
+    const float cost = photometric.cost({(normal.dot(p) + moved) / along, normal});
     if (cost >= kMaxCost) return std::nullopt;
     costs[static_cast<std::size_t>(k + kSteps)] = cost;
   }

@@ -117,7 +117,7 @@ std::vector<DepthRange> Matching::listPixels(std::size_t view, int level) {
 
 void Matching::matchView(std::size_t i, int level) {
   const std::vector<DepthRange> list = listPixels(i, level);
-  SweepOptions sweep;
+  PropagationOptions sweep;
   sweep.seed = options.seed + 1000 * static_cast<std::uint64_t>(level) + i;
   const auto place = static_cast<std::size_t>(level);
   const Frame& frame = pyramids[i][place];
@@ -134,7 +134,7 @@ void Matching::matchView(std::size_t i, int level) {
     // At full size each pixel keeps the sources that its plane from the level above fits best.
     if (level == 0) sweep.max_active_sources = 5;
   }
-  sweepPlanes(framesAt(level), static_cast<int>(i), links[i], list, sweep, planes[i], stop);
+  propagate(framesAt(level), static_cast<int>(i), links[i], list, sweep, planes[i], stop);
 }
 
 Result<void> Matching::match(int level) {

@@ -16,10 +16,10 @@ float handShare(const Hand& hand, const Eigen::Vector3f& p) {
   return 1 - 0.8f / (1 + std::exp((d - 45) / 8));  // a soft edge of some 30 mm
 }
 
-PlateBackdrop::PlateBackdrop(const Room& room_plate, const LightField& light,
+PlateBackdrop::PlateBackdrop(const Lighting& room_plate, const LightField& light,
                              const AmbientField& ambient, const PlateSurface& plate,
                              double plate_angle_rad, const Hand& hand)
-    : room_(room_plate),
+    : lighting_(room_plate),
       light_(light),
       ambient_(ambient),
       plate_(plate),
@@ -46,7 +46,8 @@ Eigen::Vector3f PlateBackdrop::light(const Ray& r, std::uint64_t) const {
     const Eigen::Vector3f p = r.origin + (-b - std::sqrt(root)) / a * r.direction;
     if (p.z() <= 0 && p.z() > -kPlateThickness) {
       const Eigen::Vector3f out(p.x() / PlateSurface::kRadius, p.y() / PlateSurface::kRadius, 0);
-      return plate_.felt().cwiseProduct(0.4f * room_.sky + directLight(room_, p, out, {1, 1, 1})) *
+      return plate_.felt().cwiseProduct(0.4f * lighting_.sky +
+                                        directLight(lighting_, p, out, {1, 1, 1})) *
              0.6f;
     }
   }
@@ -58,11 +59,11 @@ Eigen::Vector3f PlateBackdrop::top(const Eigen::Vector3f& p) const {
   LightField::Shares shares;
   Eigen::Vector3f irradiance;
   plateLight(light_, ambient_, p.head<2>(), shares, irradiance);
-  irradiance += directLight(room_, p, Eigen::Vector3f::UnitZ(), shares);
+  irradiance += directLight(lighting_, p, Eigen::Vector3f::UnitZ(), shares);
   return plate_.albedo(p.head<2>()).cwiseProduct(irradiance) * handShare(hand_, p);
 }
 
-// A dark cloth in the plate's wide shadow; it stays with the room.
+// A dark cloth in the plate's wide shadow; it stays with the lighting.
 Eigen::Vector3f PlateBackdrop::table(const Eigen::Vector3f& p) const {
   const float radius = p.head<2>().norm();
   const float open = 1 / (1 + std::exp((PlateSurface::kRadius + 15 - radius) / 35));

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "virtualrig/lighting.h"
 #include "virtualrig/plate_surface.h"
-#include "virtualrig/room.h"
 
 namespace ostraka::virtualrig {
 
@@ -31,7 +31,7 @@ class Backdrop {
 /// The marker plate, turned by an angle, above a table with a dark cloth.
 class PlateBackdrop final : public Backdrop {
  public:
-  PlateBackdrop(const Room& room_plate, const LightField& light, const AmbientField& ambient,
+  PlateBackdrop(const Lighting& room_plate, const LightField& light, const AmbientField& ambient,
                 const PlateSurface& plate, double plate_angle_rad, const Hand& hand = {});
   Eigen::Vector3f light(const Ray& ray, std::uint64_t hash) const override;
   bool even(const Ray& ray) const override;
@@ -40,7 +40,7 @@ class PlateBackdrop final : public Backdrop {
   Eigen::Vector3f top(const Eigen::Vector3f& p) const;
   Eigen::Vector3f table(const Eigen::Vector3f& p) const;
 
-  const Room& room_;
+  const Lighting& lighting_;
   const LightField& light_;
   const AmbientField& ambient_;
   const PlateSurface& plate_;

@@ -27,7 +27,7 @@ Eigen::Vector3f nearestPoint(const Light& light, const Eigen::Vector3f& p,
 
 }  // namespace
 
-Eigen::Vector3f highlights(const Room& room, const Eigen::Vector3f& p,
+Eigen::Vector3f highlights(const Lighting& lighting, const Eigen::Vector3f& p,
                            const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye,
                            const LightField::Shares& shares, const Gloss& gloss) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -35,7 +35,7 @@ Eigen::Vector3f highlights(const Room& room, const Eigen::Vector3f& p,
   if (gloss.weight <= 0 || nv <= 0.01f) return sum;
   const Eigen::Vector3f ray = mirrored(normal, to_eye);
   for (int l = 0; l < kLights; ++l) {
-    const Light& light = room.lights[l];
+    const Light& light = lighting.lights[l];
     if (shares[l] == 0 || light.strength.isZero()) continue;
     const Eigen::Vector3f to = nearestPoint(light, p, ray) - p;
     const Eigen::Vector3f towards = to.normalized();

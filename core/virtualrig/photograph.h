@@ -49,7 +49,7 @@ struct Focus {
 
 struct View {
   const Scene& scene;
-  const Room& room_plate;
+  const Lighting& room_plate;
   const LightField& light;
   const AmbientField& ambient;
   const Backdrop& backdrop;

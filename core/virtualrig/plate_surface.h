@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "batch/batch.h"
+#include "virtualrig/lighting.h"
 #include "virtualrig/noise.h"
-#include "virtualrig/room.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::virtualrig {

@@ -179,9 +179,9 @@ Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
   std::vector<Order> orders(static_cast<std::size_t>(options.sherds));
   for (int i = 0; i < options.sherds; ++i) {
     Order& order = orders[i];
-    // Look-alikes stand at the end of the list, in twos, like the sherd before.
+    // Near-duplicates stand at the end of the list, in twos, like the sherd before.
     const int from_end = options.sherds - 1 - i;
-    if (from_end < 2 * options.lookalikes && from_end % 2 == 0) {
+    if (from_end < 2 * options.near_duplicates && from_end % 2 == 0) {
       order = orders[i - 1];
       order.plan.relief_seed = random.next();
       continue;
@@ -197,7 +197,7 @@ Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
     order.plan.tilt_rad = random.uniform(0.25, 0.5);
     order.plan.outline_seed = random.next();
     order.plan.relief_seed = random.next();
-    if (from_end < 2 * options.lookalikes) order.group = from_end / 2;
+    if (from_end < 2 * options.near_duplicates) order.group = from_end / 2;
     if (order.form == VesselForm::Jug && order.plan.part != SherdPart::Base && radii[i] > 30)
       order.form = VesselForm::Jar;
     choosePlace(order, random);

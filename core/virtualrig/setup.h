@@ -13,14 +13,14 @@ inline constexpr int kCameras = 3;  ///< of the rig that makeRig draws
 /// Cameras and a turntable.
 struct VirtualRig {
   std::vector<rig::Intrinsics> intrinsics;
-  std::vector<Eigen::Isometry3d> camera_from_room;  ///< room: the plate's frame at stop 0
+  std::vector<Eigen::Isometry3d> camera_from_room;  ///< lighting: the plate's frame at stop 0
   std::vector<double> angles_rad;                   ///< of the plate, counter-clockwise, by stop
 
   int cameras() const { return static_cast<int>(intrinsics.size()); }
   Eigen::Isometry3d cameraFromPlate(int camera, int stop) const;
 };
-/// camera_from_room: x right, y down, z towards `target`; the room's z stays up in the picture, up
-/// to the roll.
+/// camera_from_room: x right, y down, z towards `target`; the lighting's z stays up in the picture,
+/// up to the roll.
 Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                             double roll_rad);
 /// Three cameras on an arc, drawn by chance around one design.
@@ -32,8 +32,8 @@ VirtualRig asVirtual(const rig::Rig& rig, int width);
 /// corners.
 std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random& random);
 
-/// Vessels made and broken: the batch's sherds, largest first, look-alikes in twos; or the given
-/// meshes, in their order. Errors: those of sherdOfMesh.
+/// Vessels made and broken: the batch's sherds, largest first, near-duplicates in twos; or the
+/// given meshes, in their order. Errors: those of sherdOfMesh.
 Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options);
 
 }  // namespace ostraka::virtualrig

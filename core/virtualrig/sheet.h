@@ -5,8 +5,8 @@
 
 #include "batch/batch.h"
 #include "virtualrig/hand_held.h"
+#include "virtualrig/lighting.h"
 #include "virtualrig/noise.h"
-#include "virtualrig/room.h"
 
 namespace ostraka::virtualrig {
 

@@ -19,11 +19,16 @@ Eigen::Vector3f at(const Ray& r, float z) {
 
 }  // namespace
 
-SheetBackdrop::SheetBackdrop(const Scene& scene, const Room& room, const LightField& light,
+SheetBackdrop::SheetBackdrop(const Scene& scene, const Lighting& lighting, const LightField& light,
                              const AmbientField& ambient, const SheetSurface& sheet,
                              const TableSurface& table)
-    : scene_(scene), room_(room), light_(light), ambient_(ambient), sheet_(sheet), table_(table) {
-  for (const Light& l : room.lights) hard_ = hard_ || (l.hard && !l.strength.isZero());
+    : scene_(scene),
+      lighting_(lighting),
+      light_(light),
+      ambient_(ambient),
+      sheet_(sheet),
+      table_(table) {
+  for (const Light& l : lighting.lights) hard_ = hard_ || (l.hard && !l.strength.isZero());
 }
 
 bool SheetBackdrop::even(const Ray& r) const {
@@ -49,14 +54,15 @@ Eigen::Vector3f SheetBackdrop::lit(const Eigen::Vector3f& p, const Eigen::Vector
   plateLight(light_, ambient_, p.head<2>(), shares, irradiance);
   if (hard_)
     for (int l = 0; l < kLights; ++l)
-      if (room_.lights[l].hard && !room_.lights[l].strength.isZero())
-        shares[l] = seesLight(scene_, room_.lights[l], p + kLift * normal,
+      if (lighting_.lights[l].hard && !lighting_.lights[l].strength.isZero())
+        shares[l] = seesLight(scene_, lighting_.lights[l], p + kLift * normal,
                               mixed(hash, static_cast<std::uint64_t>(l)));
-  Eigen::Vector3f light = albedo.cwiseProduct(irradiance + directLight(room_, p, normal, shares));
+  Eigen::Vector3f light =
+      albedo.cwiseProduct(irradiance + directLight(lighting_, p, normal, shares));
   if (gloss.weight <= 0) return light;
   const Eigen::Vector3f to_eye = -r.direction.normalized();
-  return light + highlights(room_, p, normal, to_eye, shares, gloss) +
-         gloss.weight * fresnel(normal.dot(to_eye)) * 0.6f * room_.sky;
+  return light + highlights(lighting_, p, normal, to_eye, shares, gloss) +
+         gloss.weight * fresnel(normal.dot(to_eye)) * 0.6f * lighting_.sky;
 }
 
 Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
@@ -80,10 +86,11 @@ Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
          lit(p, Eigen::Vector3f::UnitZ(), r, table_.albedo(p.head<2>()), table_.gloss(), hash);
 }
 
-// The floor under a table is darker, and the wall is lit by the room.
+// The floor under a table is darker, and the wall is lit by the lighting.
 Eigen::Vector3f SheetBackdrop::beyond(const Ray& r) const {
-  const Eigen::Vector3f open = room_.sky + 0.5f * directLight(room_, Eigen::Vector3f(0, 0, 0),
-                                                              Eigen::Vector3f::UnitZ(), {1, 1, 1});
+  const Eigen::Vector3f open =
+      lighting_.sky +
+      0.5f * directLight(lighting_, Eigen::Vector3f(0, 0, 0), Eigen::Vector3f::UnitZ(), {1, 1, 1});
   const float steep = -r.direction.z() / r.direction.norm();
   if (steep <= 0.12f) return table_.wall().cwiseProduct(open) * 0.8f;
   const Eigen::Vector3f p = at(r, kFloor);

@@ -23,7 +23,7 @@ class SheetGround final : public Ground {
 /// A printed sheet on a table, floor and wall beyond.
 class SheetBackdrop final : public Backdrop {
  public:
-  SheetBackdrop(const Scene& scene, const Room& room, const LightField& light,
+  SheetBackdrop(const Scene& scene, const Lighting& lighting, const LightField& light,
                 const AmbientField& ambient, const SheetSurface& sheet, const TableSurface& table);
   Eigen::Vector3f light(const Ray& ray, std::uint64_t hash) const override;
   bool even(const Ray& ray) const override;
@@ -37,7 +37,7 @@ class SheetBackdrop final : public Backdrop {
   Eigen::Vector3f beyond(const Ray& ray) const;
 
   const Scene& scene_;
-  const Room& room_;
+  const Lighting& lighting_;
   const LightField& light_;
   const AmbientField& ambient_;
   const SheetSurface& sheet_;

@@ -13,7 +13,7 @@ enum class SherdPart { Wall, Rim, Base };
 const char* name(SherdPart part);
 
 /// Which piece of a vessel breaks out, and how. The same outline_seed with another relief_seed
-/// gives a look-alike: the same outline half-way through the wall, but other break faces.
+/// gives a near-duplicate: the same outline half-way through the wall, but other break faces.
 struct BreakPlan {
   SherdPart part = SherdPart::Wall;
   double s_mm = 100;        ///< place of the piece's centre on the vessel, arc length from the base
@@ -35,7 +35,7 @@ struct VirtualSherd {
   double volume_mm3 = 0;
   double width_mm = 0;  ///< largest extent across the wall
   double wall_min_mm = 0, wall_mean_mm = 0, wall_max_mm = 0;
-  int lookalike_group = -1;  ///< -1: no look-alike
+  int lookalike_group = -1;  ///< -1: no near-duplicate
 };
 
 /// Breaks the piece out. The outline is a star-shaped polygon with fractal edges; the break runs

@@ -56,11 +56,11 @@ Mishap mishapOf(const SimulateOptions& options, batch::Side side, int camera, in
 
 class Studio {
  public:
-  Studio(const SimulateOptions& options, const VirtualRig& rig, const Room& room,
+  Studio(const SimulateOptions& options, const VirtualRig& rig, const Lighting& lighting,
          const PlateSurface& plate, std::stop_token stop, ShotReport& report)
       : options_(options),
         rig_(rig),
-        room_(room),
+        lighting_(lighting),
         plate_(plate),
         stop_(std::move(stop)),
         report_(report) {
@@ -74,12 +74,12 @@ class Studio {
     const Scene scene(sherds, poses);
     const std::uint64_t seed = mixed(options_.seed, side == batch::Side::Front ? 101 : 102);
     const AmbientField ambient =
-        gatherAmbient(scene, room_, plate_, seed, {.threads = options_.threads});
-    std::vector<Room> rooms;
+        gatherAmbient(scene, lighting_, plate_, seed, {.threads = options_.threads});
+    std::vector<Lighting> lightings;
     std::vector<LightField> fields;
     for (int s = first; s < last && !stop_.stop_requested(); ++s) {
-      rooms.push_back(turned(room_, rig_.angles_rad[s]));
-      fields.push_back(castShadows(scene, rooms.back(), mixed(seed, s), options_.threads));
+      lightings.push_back(turned(lighting_, rig_.angles_rad[s]));
+      fields.push_back(castShadows(scene, lightings.back(), mixed(seed, s), options_.threads));
     }
     if (stop_.stop_requested()) return;
     parallelFor(static_cast<std::size_t>((last - first) * rig_.cameras()), options_.threads,
@@ -88,9 +88,9 @@ class Studio {
                             camera = static_cast<int>(i) % rig_.cameras();
                   if (stop_.stop_requested() || report_.failed()) return;
                   const Hand hand = mishapOf(options_, side, camera, first + s).hand;
-                  const PlateBackdrop backdrop(rooms[s], fields[s], ambient, plate_,
+                  const PlateBackdrop backdrop(lightings[s], fields[s], ambient, plate_,
                                                rig_.angles_rad[first + s], hand);
-                  const View view{scene,   rooms[s],       fields[s],
+                  const View view{scene,   lightings[s],   fields[s],
                                   ambient, backdrop,       rig_.cameraFromPlate(camera, first + s),
                                   hand,    focusOf(camera)};
                   report_.done(shoot(view, side, camera, first + s));
@@ -101,12 +101,12 @@ class Studio {
     const std::vector<VirtualSherd> none;
     const Scene scene(none, {});
     const AmbientField ambient =
-        gatherAmbient(scene, room_, plate_, options_.seed, {.threads = options_.threads});
-    const LightField field = castShadows(scene, room_, options_.seed, options_.threads);
-    const PlateBackdrop backdrop(room_, field, ambient, plate_, 0);
+        gatherAmbient(scene, lighting_, plate_, options_.seed, {.threads = options_.threads});
+    const LightField field = castShadows(scene, lighting_, options_.seed, options_.threads);
+    const PlateBackdrop backdrop(lighting_, field, ambient, plate_, 0);
     parallelFor(lenses_.size(), options_.threads, [&](std::size_t c) {
       const int camera = static_cast<int>(c);
-      const View view{scene,   room_,          field,
+      const View view{scene,   lighting_,      field,
                       ambient, backdrop,       rig_.cameraFromPlate(camera, 0),
                       {},      focusOf(camera)};
       const Photograph shot =
@@ -161,7 +161,7 @@ class Studio {
 
   const SimulateOptions& options_;
   const VirtualRig& rig_;
-  const Room& room_;
+  const Lighting& lighting_;
   const PlateSurface& plate_;
   std::stop_token stop_;
   ShotReport& report_;
@@ -199,7 +199,7 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
   const VirtualRig rig = options.rig ? asVirtual(*options.rig, options.width)
                                      : makeRig(options.width, options.stops, rig_random);
   const int stops = static_cast<int>(rig.angles_rad.size());
-  const Room room = makeRoom(room_random);
+  const Lighting lighting = makeLighting(room_random);
   progress.note(NoteLevel::Info,
                 "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
   if (options.scans_only) return writeScans(*sherds, *layout, rig, options, progress, stop);
@@ -211,12 +211,12 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
   PlateSurface plate(options.plate, options.seed);
   PlateSurface covered = plate;
   if (options.fault == Fault::Covered) covered.coverMarkers(8);
-  Studio front(options, rig, room, covered, stop, report);
+  Studio front(options, rig, lighting, covered, stop, report);
   const int push = options.fault == Fault::Moved ? stops / 2 : stops;
   front.shootStops(*sherds, layout->front, batch::Side::Front, 0, push);
   if (push < stops)
     front.shootStops(*sherds, pushed(layout->front), batch::Side::Front, push, stops);
-  Studio studio(options, rig, room, plate, stop, report);
+  Studio studio(options, rig, lighting, plate, stop, report);
   studio.shootStops(*sherds, layout->back, batch::Side::Back, 0, stops);
   studio.shootEmptyPlate();
   if (!options.rig) studio.shootBoards();
@@ -229,8 +229,9 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
 Result<void> SimulateOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (meshes.size() > 40) return bad("meshes may hold 40 files at most.");
-  if (!meshes.empty() && (scans_only || lookalikes > 0 || !radii_mm.empty()))
-    return bad("meshes are photographed as they are: no scans_only, no lookalikes, no radii_mm.");
+  if (!meshes.empty() && (scans_only || near_duplicates > 0 || !radii_mm.empty()))
+    return bad(
+        "meshes are photographed as they are: no scans_only, no near_duplicates, no radii_mm.");
   if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");
   if (width < 160 || width > 8192 || width % 4 != 0)
     return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");
@@ -239,8 +240,8 @@ Result<void> SimulateOptions::check() const {
   if (gloss && !(*gloss >= 0 && *gloss <= 1)) return bad("gloss must lie between 0 and 1.");
   if (fstop && *fstop != 0 && !(*fstop >= 1 && *fstop <= 64))
     return bad("fstop must be 0, for none, or lie between 1 and 64.");
-  if (lookalikes < 0 || 2 * lookalikes > sherds)
-    return bad("lookalikes are groups of two: at most half the number of sherds.");
+  if (near_duplicates < 0 || 2 * near_duplicates > sherds)
+    return bad("near_duplicates are groups of two: at most half the number of sherds.");
   if (touching < 0 || 2 * touching > sherds)
     return bad("touching counts pairs: at most half the number of sherds.");
   if (scans_only && fault)
@@ -277,11 +278,11 @@ Result<void> simulateCalibration(const SimulateOptions& options, Progress& progr
   if (Result<void> r = options.check(); !r) return r;
   Random rig_random(mixed(options.seed, 3)), room_random(mixed(options.seed, 4));
   const VirtualRig rig = makeRig(options.width, options.stops, rig_random);
-  const Room room = makeRoom(room_random);
+  const Lighting lighting = makeLighting(room_random);
   const PlateSurface plate(options.plate, options.seed);
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
   ShotReport report(progress, 13 * kCameras);
-  Studio studio(options, rig, room, plate, stop, report);
+  Studio studio(options, rig, lighting, plate, stop, report);
   studio.shootEmptyPlate();
   studio.shootBoards();
   if (stop.stop_requested()) return Error::cancelled();

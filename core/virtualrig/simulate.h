@@ -46,9 +46,9 @@ struct SimulateOptions {
   /// Depth of field of a lens at this f-number: on a rig an APS-C camera's, by hand the camera's
   /// own. Absent: a rig is sharp everywhere, and the camera in a hand has its usual one; 0: sharp.
   std::optional<double> fstop;
-  bool scramble = false;  ///< the sherds change places at the flip
-  int lookalikes = 0;     ///< groups of two with nearly the same outline; their breaks differ
-  int touching = 0;       ///< pairs that lie against each other on both sides
+  bool scramble = false;    ///< the sherds change places at the flip
+  int near_duplicates = 0;  ///< groups of two with nearly the same outline; their breaks differ
+  int touching = 0;         ///< pairs that lie against each other on both sides
   int stops = 8;
   bool scans_only = false;  ///< noisy scans of both sides instead of photographs
   ScanNoise scan_noise = ScanNoise::Scanner;

@@ -72,13 +72,13 @@ class Photographer {
         room_random(mixed(options.seed, 12));
     sheet_.emplace(options.hand_held->sheet, options.hand_held->bend_mm, sheet_random);
     table_.emplace(options.hand_held->table, table_random);
-    room_ = makeRoom(options.hand_held->light, room_random);
+    lighting_ = makeLighting(options.hand_held->light, room_random);
     start_s_ = room_random.uniform(9 * 3600, 16 * 3600);
   }
 
   const SheetSurface& sheet() const { return *sheet_; }
 
-  // As many things as were asked for, in an order that chance chooses, as far as there is room.
+  // As many things as were asked for, in an order that chance chooses, as far as there is lighting.
   std::vector<Prop> clutter(const std::vector<VirtualSherd>& sherds,
                             const std::vector<Eigen::Isometry3d>& poses, Random& random) const {
     std::vector<Eigen::Vector2d> taken;
@@ -108,10 +108,10 @@ class Photographer {
     const SheetGround ground(*sheet_, *table_);
     const std::uint64_t seed = mixed(options_.seed, first == 0 ? 101 : 102);
     const AmbientField ambient = gatherAmbient(
-        scene, room_, ground, seed,
+        scene, lighting_, ground, seed,
         {.turning = false, .side = 8, .ground_side = 12, .threads = options_.threads});
     if (stop_.stop_requested()) return;
-    const LightField field = castShadows(scene, room_, seed, options_.threads);
+    const LightField field = castShadows(scene, lighting_, seed, options_.threads);
     parallelFor(last - first, options_.threads, [&](std::size_t i) {
       if (stop_.stop_requested() || report_.failed()) return;
       report_.done(shoot(scene, ambient, field, shots[first + i], first + i));
@@ -121,13 +121,13 @@ class Photographer {
  private:
   Result<void> shoot(const Scene& scene, const AmbientField& ambient, const LightField& field,
                      const FreeShot& shot, std::size_t number) const {
-    const Room room = options_.hand_held->light == LightKind::Flash
-                          ? withFlash(room_, shot.camera_from_plate)
-                          : room_;
-    const SheetBackdrop backdrop(scene, room, field, ambient, *sheet_, *table_);
+    const Lighting lighting = options_.hand_held->light == LightKind::Flash
+                                  ? withFlash(lighting_, shot.camera_from_plate)
+                                  : lighting_;
+    const SheetBackdrop backdrop(scene, lighting, field, ambient, *sheet_, *table_);
     const double fstop = options_.fstop.value_or(model_.fnumber);
     const Focus focus{fstop > 0 ? model_.focal_mm / fstop : 0, shot.focus_mm};
-    const View view{scene, room, field, ambient, backdrop, shot.camera_from_plate, {}, focus};
+    const View view{scene, lighting, field, ambient, backdrop, shot.camera_from_plate, {}, focus};
     const Photograph taken = photograph(view, LensRays(shot.intrinsics), shot.sensor,
                                         mixed(options_.seed, 9000 + number), stop_);
     if (stop_.stop_requested()) return Error::cancelled();
@@ -159,7 +159,7 @@ class Photographer {
   ShotReport& report_;
   std::optional<SheetSurface> sheet_;
   std::optional<TableSurface> table_;
-  Room room_;
+  Lighting lighting_;
   double start_s_ = 0;
 };
 

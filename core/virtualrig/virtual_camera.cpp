@@ -28,14 +28,14 @@ SimulateOptions simulateOptions(const VirtualDevicesOptions& options,
   simulate.output = output;
   simulate.plate = options.plate;
   simulate.scramble = options.scramble;
-  simulate.lookalikes = options.lookalikes;
+  simulate.near_duplicates = options.near_duplicates;
   simulate.touching = options.touching;
   simulate.stops = options.stops;
   simulate.threads = options.threads;
   return simulate;
 }
 
-// The room with its plate, shared by the devices.
+// The lighting with its plate, shared by the devices.
 class VirtualPlace {
  public:
   VirtualPlace(const VirtualDevicesOptions& options, std::vector<VirtualSherd> sherds,
@@ -45,7 +45,7 @@ class VirtualPlace {
         layout_(std::move(layout)),
         plate_(options.plate, options.seed) {
     Random room_random(mixed(options.seed, 4));
-    room_ = makeRoom(room_random);
+    lighting_ = makeLighting(room_random);
     for (const bool small : {false, true}) {
       Random rig_random(mixed(options.seed, 3));
       const int width = small ? std::min(options.width, kPreviewWidth) : options.width;
@@ -78,15 +78,15 @@ class VirtualPlace {
   std::string serial(int camera) const {
     return "VIRTUAL-" + batch::cameraLetter(camera) + " (seed " + std::to_string(options_.seed) +
            ", " + std::to_string(options_.sherds) + " sherds, " + std::to_string(options_.width) +
-           " px" + (options_.lookalikes > 0 ? ", look-alikes" : "") +
+           " px" + (options_.near_duplicates > 0 ? ", near-duplicates" : "") +
            (options_.touching > 0 ? ", touching" : "") + ")";
   }
 
   std::string picture(int camera, double degrees, bool small, std::stop_token stop) {
     const Moment now = moment(degrees);
-    const PlateBackdrop backdrop(now.room, *now.light, *now.ambient, plate_, now.angle_rad);
+    const PlateBackdrop backdrop(now.lighting, *now.light, *now.ambient, plate_, now.angle_rad);
     const View view{*now.scene,
-                    now.room,
+                    now.lighting,
                     *now.light,
                     *now.ambient,
                     backdrop,
@@ -106,7 +106,7 @@ class VirtualPlace {
     batch::Side side;
     int shot;  // the stop, or a number beyond all stops
     double angle_rad;
-    Room room;
+    Lighting lighting;
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const AmbientField> ambient;
     std::shared_ptr<const LightField> light;
@@ -122,24 +122,24 @@ class VirtualPlace {
     const double angle =
         at_stop ? rig_.angles_rad[static_cast<std::size_t>(near)] : turned * kRadians;
     const std::uint64_t seed = mixed(options_.seed, side_ == batch::Side::Front ? 101 : 102);
-    const Room room = turned_(angle);
+    const Lighting lighting = turned_(angle);
     if (!ambient_)
       ambient_ = std::make_shared<const AmbientField>(
-          gatherAmbient(*scene_, room_, plate_, seed, {.threads = options_.threads}));
+          gatherAmbient(*scene_, lighting_, plate_, seed, {.threads = options_.threads}));
     if (!light_ || shot != light_shot_) {
       light_ = std::make_shared<const LightField>(castShadows(
-          *scene_, room, mixed(seed, static_cast<std::uint64_t>(shot)), options_.threads));
+          *scene_, lighting, mixed(seed, static_cast<std::uint64_t>(shot)), options_.threads));
       light_shot_ = shot;
     }
-    return {side_, shot, angle, room, scene_, ambient_, light_};
+    return {side_, shot, angle, lighting, scene_, ambient_, light_};
   }
-  Room turned_(double angle_rad) const { return virtualrig::turned(room_, angle_rad); }
+  Lighting turned_(double angle_rad) const { return virtualrig::turned(lighting_, angle_rad); }
 
   const VirtualDevicesOptions options_;
   const std::vector<VirtualSherd> sherds_;
   const Layout layout_;
   const PlateSurface plate_;
-  Room room_;
+  Lighting lighting_;
   VirtualRig rig_;  // intrinsics of the previews; places and angles are the same for all widths
   std::vector<LensRays> lenses_, small_lenses_;
   std::atomic<double> degrees_ = 0;

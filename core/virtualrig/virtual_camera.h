@@ -16,7 +16,7 @@ struct VirtualDevicesOptions {
   int width = 1600;  ///< pixels of a photograph; the height is 3/4 of it
   PlateColor plate = PlateColor::Dark;
   bool scramble = false;
-  int lookalikes = 0;
+  int near_duplicates = 0;
   int touching = 0;
   int stops = 8;          ///< at these angles the table misses its marks as simulateBatch's does
   double turn_deg_s = 0;  ///< how fast the table seems to turn; 0: at once

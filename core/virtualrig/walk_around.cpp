@@ -129,14 +129,15 @@ std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraMod
   return shots;
 }
 
-Room makeRoom(LightKind kind, Random& random) {
-  Room room;
-  room.ground_mm = 235;  // A3 and what lies beside it
+Lighting makeLighting(LightKind kind, Random& random) {
+  Lighting lighting;
+  lighting.ground_mm = 235;  // A3 and what lies beside it
   const double azimuth = random.uniform(0, 2 * std::numbers::pi);
   const double away = azimuth + random.uniform(2, 4);  // the second light's
-  Light& key = room.lights[0];
-  Light& fill = room.lights[1];
-  for (Light& light : room.lights) light = softbox(0, 1, 1000, 100, 100, Eigen::Vector3f::Zero());
+  Light& key = lighting.lights[0];
+  Light& fill = lighting.lights[1];
+  for (Light& light : lighting.lights)
+    light = softbox(0, 1, 1000, 100, 100, Eigen::Vector3f::Zero());
   switch (kind) {
     case LightKind::Window:
       key = softbox(azimuth, random.uniform(0.5, 0.7), 1100, random.uniform(330, 480),
@@ -144,8 +145,8 @@ Room makeRoom(LightKind kind, Random& random) {
       key.radius = 0.33f;
       fill = softbox(away, 0.6, 1800, 500, 500, tinted(random.uniform(0.03, 0.1), 0.05));
       fill.radius = 0.28f;
-      room.sky = tinted(random.uniform(0.16, 0.26), 0.04);
-      room.shadow_reach = 5;
+      lighting.sky = tinted(random.uniform(0.16, 0.26), 0.04);
+      lighting.shadow_reach = 5;
       break;
     case LightKind::Lamp:
       key = softbox(azimuth, random.uniform(0.6, 1.05), random.uniform(420, 620), 24, 24,
@@ -154,8 +155,8 @@ Room makeRoom(LightKind kind, Random& random) {
       key.hard = true;
       fill = softbox(away, 1.1, 1900, 300, 300, tinted(random.uniform(0.05, 0.12), 0.06));
       fill.radius = 0.16f;
-      room.sky = tinted(random.uniform(0.07, 0.13), 0.05);
-      room.shadow_reach = 3;
+      lighting.sky = tinted(random.uniform(0.07, 0.13), 0.05);
+      lighting.shadow_reach = 3;
       break;
     case LightKind::Flash:
       key = softbox(azimuth, 1.5, 300, 5, 5, tinted(0.5, -0.03));
@@ -163,28 +164,28 @@ Room makeRoom(LightKind kind, Random& random) {
       key.hard = true;
       fill = softbox(away, 1.1, 1900, 300, 300, tinted(random.uniform(0.1, 0.2), 0.08));
       fill.radius = 0.16f;
-      room.sky = tinted(random.uniform(0.08, 0.14), 0.06);
+      lighting.sky = tinted(random.uniform(0.08, 0.14), 0.06);
       break;
     case LightKind::Overcast:
       key = softbox(azimuth, 1.1, 4000, 2200, 2200, tinted(random.uniform(0.08, 0.16), -0.03));
       key.radius = 0.5f;
-      room.sky = tinted(0.5, -0.03);
-      room.shadow_reach = 4;
+      lighting.sky = tinted(0.5, -0.03);
+      lighting.shadow_reach = 4;
       break;
     case LightKind::Sun:
       key = softbox(azimuth, random.uniform(0.45, 1.05), 20'000, 93, 93,
                     tinted(random.uniform(0.65, 0.85), 0.04));
       key.radius = 0.0047f;
       key.hard = true;
-      room.sky = tinted(random.uniform(0.12, 0.2), -0.16);
+      lighting.sky = tinted(random.uniform(0.12, 0.2), -0.16);
       break;
   }
-  return room;
+  return lighting;
 }
 
-Room withFlash(const Room& room, const Eigen::Isometry3d& camera_from_plate) {
+Lighting withFlash(const Lighting& lighting, const Eigen::Isometry3d& camera_from_plate) {
   const Eigen::Isometry3d plate_from_camera = camera_from_plate.inverse();
-  Room out = room;
+  Lighting out = lighting;
   Light& flash = out.lights[0];
   flash.centre = plate_from_camera * Eigen::Vector3d(-12, -9, 0);  // beside the lens, above it
   flash.half_u = 5 * plate_from_camera.linear().col(0);

@@ -174,7 +174,8 @@ void printRow(const std::string& set, const Pair& pair, const Row& row) {
       set.c_str(), pair.is_true ? "true " : "FALSE", pair.front.substr(6, 4).c_str(),
       pair.back.substr(5, 4).c_str(), row.rms, row.height, f.fracture_rms_mm, f.fracture_overlap,
       f.log_likelihood, f.uncertainty_mm, std::min(f.runner_up_gap, 999.0), f.runner_up_mm,
-      f.crossing_share, f.thickness_mm, f.slipped ? " SLIPPED" : "", row.seconds, f.reason.c_str());
+      f.crossing_share, f.thickness_mm, f.check_failed ? " SLIPPED" : "", row.seconds,
+      f.reason.c_str());
 }
 
 Result<registration::Registration> registerBy(const std::string& method, const scan::Scan& front,
@@ -207,7 +208,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
         if (i != j && pairs[i].group >= 0 && pairs[i].group == pairs[j].group)
           pairs.push_back({pairs[i].front, pairs[j].back, pairs[i].truth, pairs[i].group, false});
   std::vector<double> rms, fracture_true, fracture_false, seconds, ratio;
-  int slipped = 0, bad_unflagged = 0;
+  int check_failed = 0, bad_unflagged = 0;
   std::mt19937_64 random(1);
   const Views views = readViews(arguments.batch);
   const auto front_views = silhouettes(views, batch::Side::Front);
@@ -247,15 +248,15 @@ void runSet(const Arguments& arguments, const std::string& set) {
     rms.push_back(row.rms);
     seconds.push_back(row.seconds);
     ratio.push_back(row.rms / row.found.uncertainty_mm);
-    slipped += row.found.slipped;
-    bad_unflagged += row.rms > 0.4 && !row.found.slipped;
+    check_failed += row.found.check_failed;
+    bad_unflagged += row.rms > 0.4 && !row.found.check_failed;
   }
   const auto share = std::count_if(rms.begin(), rms.end(), [](double r) { return r <= 0.1; });
   std::printf(
       "| %s | %zu | %.3f | %.3f | %.3f | %ld | %.3f | %.3f | %d | %d | %.2f | %.2f | %.2f |\n",
       set.c_str(), rms.size(), percentile(rms, 0.5), percentile(rms, 0.95), percentile(rms, 1),
       static_cast<long>(share), percentile(fracture_true, 1), percentile(fracture_false, 0),
-      slipped, bad_unflagged, percentile(ratio, 0.5), percentile(ratio, 0.95),
+      check_failed, bad_unflagged, percentile(ratio, 0.5), percentile(ratio, 0.95),
       percentile(seconds, 0.5));
   std::fflush(stdout);
 }
@@ -294,7 +295,7 @@ int main(int argc, char** argv) {
   std::printf(
       "| set | pairs | rms median | 95 %% | worst | <= 0.10 | fracture true max | fracture false "
       "min | "
-      "slipped "
+      "check_failed "
       "| > 0.40 unflagged | rms/sigma median | 95 %% | CPU s |\n");
   for (const auto& set : arguments.sets) runSet(arguments, set);
   return 0;

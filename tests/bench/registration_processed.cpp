@@ -214,8 +214,8 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
     std::fflush(stdout);
     ratios.error.push_back(rms);
     ratios.over_stated.push_back(rms / found->uncertainty_mm);
-    ratios.flagged += found->slipped;
-    ratios.silent += rms > 0.4 && !found->slipped;
+    ratios.flagged += found->check_failed;
+    ratios.silent += rms > 0.4 && !found->check_failed;
   }
 }
 

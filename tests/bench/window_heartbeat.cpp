@@ -2,7 +2,7 @@
 // its queue (or adds the batch to a project that is there, so that review, masks, map and catalogue
 // have contents), opens the window with it and measures, while both processors compute, how late
 // the window's events come: a timer of 5 ms, and an act every 200 ms until it was handled: the next
-// station, the next pair, the next sherd, the settings, the masks and a stroke of their brush.
+// screen, the next pair, the next sherd, the settings, the masks and a stroke of their brush.
 // Prints the time to a usable window, which is painted, the delays' median, 99 % and maximum in ms,
 // and how many were above 50 ms. Beside it how late a bare thread wakes that sleeps for 5 ms, which
 // is what the machine takes; what the window's own thread computed during its latest beats; and the
@@ -161,10 +161,10 @@ void trigger(QWidget& window, const char* name) {
 std::vector<std::pair<const char*, std::function<void()>>> actsOn(ostraka::ui::MainWindow& window) {
   const auto child = [&window](const char* name) { return window.findChild<QWidget*>(name); };
   std::vector<std::pair<const char*, std::function<void()>>> acts;
-  static constexpr const char* kStations[] = {"capture", "queue",     "review",
-                                              "map",     "catalogue", "export"};
+  static constexpr const char* kScreens[] = {"capture", "queue",     "review",
+                                             "map",     "catalogue", "export"};
   for (int i = 0; i < 6; ++i) {
-    acts.emplace_back(kStations[i], [&window, i] { window.showStation(i); });
+    acts.emplace_back(kScreens[i], [&window, i] { window.showScreen(i); });
     if (i == 1) {
       acts.emplace_back("the batch below", [child] { press(child("queueList"), Qt::Key_Down); });
       acts.emplace_back("masks", [&window] { trigger(window, "queueMasks"); });

@@ -146,7 +146,7 @@ QStringList BatchInHand::numbersOfAnotherBag() const {
 
 Result<void> BatchInHand::begin(const PlaceText& place) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Act act = session_->act();
+  const catalogue::Provenance provenance = session_->provenance();
   if (row_ != 0) {  // begun before the person counted, or under another bag
     auto batch = rows.batch({row_});
     if (!batch) return batch.error();
@@ -155,21 +155,21 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
     batch->counted = counted_;
     if (moved) {
       of_another_bag_ << numbersThatMayFit();
-      const Result<std::int64_t> bag = bagRowOf(rows, place, act);
+      const Result<std::int64_t> bag = bagRowOf(rows, place, provenance);
       if (!bag) return bag.error();
       batch->bags.clear();
       if (*bag != 0) batch->bags.push_back({*bag});
     }
-    return rows.saveBatch(*batch, act);
+    return rows.saveBatch(*batch, provenance);
   }
-  const Result<std::int64_t> bag = bagRowOf(rows, place, act);
+  const Result<std::int64_t> bag = bagRowOf(rows, place, provenance);
   if (!bag) return bag.error();
   catalogue::BatchRecord batch;
   if (*bag != 0) batch.bags.push_back({*bag});
-  batch.operator_ = act.person;
+  batch.operator_ = provenance.person;
   batch.counted = counted_;
   batch.started_ms = rows.now();
-  const auto row = rows.addBatch(batch, act);
+  const auto row = rows.addBatch(batch, provenance);
   if (!row) return row.error();
   const auto made = rows.batch(*row);
   if (!made) return made.error();
@@ -180,7 +180,8 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
 }
 
 Result<void> BatchInHand::setState(catalogue::BatchState state) {
-  Result<void> set = session_->project().catalogue().setBatchState({row_}, state, session_->act());
+  Result<void> set =
+      session_->project().catalogue().setBatchState({row_}, state, session_->provenance());
   session_->tellBatchChanged(number_);
   return set;
 }
@@ -195,7 +196,7 @@ Result<void> BatchInHand::queue(int seen) {
     batch->counted = counted_;
   else if (seen > 0)
     batch->counted = seen;
-  if (Result<void> saved = rows.saveBatch(*batch, session_->act()); !saved) return saved;
+  if (Result<void> saved = rows.saveBatch(*batch, session_->provenance()); !saved) return saved;
   return setState(catalogue::BatchState::Queued);
 }
 

@@ -2,7 +2,7 @@
 #include <QImage>
 #include <QStringList>
 
-#include "capture/free_room.h"
+#include "capture/clearance.h"
 #include "capture/shot_checks.h"
 
 namespace ostraka::ui {
@@ -20,9 +20,9 @@ enum class CapturePhase {
 /// A picture of the plate and what is seen on it.
 struct PlatePicture {
   QImage image;
-  capture::PlateLook look;
-  capture::FreeRoom room;  ///< for more, while sherds are being placed
-  QStringList codes;       ///< QR codes that lie in sight while sherds are being placed
+  capture::PlateInspection look;
+  capture::Clearance room;  ///< for more, while sherds are being placed
+  QStringList codes;        ///< QR codes that lie in sight while sherds are being placed
 };
 
 /// One photograph of the side that is being shot.

@@ -31,7 +31,7 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate,
                                static_cast<int>(bytes.size())))
     return Error{ErrorCode::UnusableInput, "The camera's picture cannot be read.", {}};
   if (look_for == LookFor::Sherds) {
-    Result<capture::PlateLook> look = capture::lookAtPlate(bytes, plate, {});
+    Result<capture::PlateInspection> look = capture::inspectPlate(bytes, plate, {});
     if (!look) return look.error();
     seen.look = std::move(*look);
   } else {

@@ -4,7 +4,7 @@
 
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/rig_page.h"
 #include "ui/capture/rig_renewal.h"
@@ -20,7 +20,7 @@ constexpr const char* kRigKey = "rig";
 }  // namespace
 
 // The same photographs once more are a slip more often than a wish.
-void CaptureStation::buildTwice() {
+void CaptureScreen::buildTwice() {
   twice_ = new MessagePanel(this);
   twice_->setObjectName(QStringLiteral("importTwice"));
   twice_->setSecondAct(tr("Import anyway"));
@@ -50,15 +50,15 @@ void CaptureStation::buildTwice() {
   });
 }
 
-QString CaptureStation::rigWords() const {
+QString CaptureScreen::rigWords() const {
   if (wizard_->phase() == CapturePhase::NoRig) return {};
   return isRigReady() ? wizard_->rigWords() : tr("does not answer");
 }
-bool CaptureStation::isRigReady() const {
+bool CaptureScreen::isRigReady() const {
   return wizard_->phase() != CapturePhase::NoRig &&
          !(wizard_->phase() == CapturePhase::Opening && wizard_->fault());
 }
-void CaptureStation::chooseRig(const RigChoice& choice) {
+void CaptureScreen::chooseRig(const RigChoice& choice) {
   if (session_ == nullptr) return;
   tried_rig_ = choice;
   if (!wizard_->canKeepRig()) keepChoice(choice);
@@ -67,12 +67,12 @@ void CaptureStation::chooseRig(const RigChoice& choice) {
   setFocus();
 }
 
-void CaptureStation::keepChoice(const RigChoice& choice) {
+void CaptureScreen::keepChoice(const RigChoice& choice) {
   (void)session_->project().catalogue().setSetting(kRigKey, choice.toJson().toStdString());
 }
 
 // A rig that does not open leaves the place to the one that worked.
-void CaptureStation::followRig(const std::optional<Error>& why_not) {
+void CaptureScreen::followRig(const std::optional<Error>& why_not) {
   if (session_ == nullptr) return;
   const RigChoice tried = std::exchange(tried_rig_, {});
   if (!why_not) {
@@ -86,13 +86,13 @@ void CaptureStation::followRig(const std::optional<Error>& why_not) {
   failure_->showError(shown, tr("OK"));
 }
 
-RigChoice CaptureStation::rigChoice() const {
+RigChoice CaptureScreen::rigChoice() const {
   if (session_ == nullptr) return {};
   const Result<std::string> rig = session_->project().catalogue().setting(kRigKey);
   return RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
 }
 
-void CaptureStation::showItem(const QString& what) {
+void CaptureScreen::showItem(const QString& what) {
   const QString batch = what.section(QStringLiteral("calibrate:"), 1);
   if (session_ == nullptr || batch.isEmpty()) return;
   const RigChoice choice = rigChoice();

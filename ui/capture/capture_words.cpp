@@ -123,7 +123,7 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     remind();
     return facts;
   }
-  const capture::PlateLook& look = live_->look;
+  const capture::PlateInspection& look = live_->look;
   if (phase_ == CapturePhase::Place)
     facts.push_back({!look.sherds.empty() && look.too_close.empty(),
                      tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});

@@ -184,7 +184,8 @@ QString newOf(const Catalogue& rows, const PlaceText& place) {
   return fresh.join(QStringLiteral(", "));
 }
 
-Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const catalogue::Act& act) {
+Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place,
+                              const catalogue::Provenance& provenance) {
   if (place.isEmpty()) return std::int64_t{0};
   if (place.site.isEmpty() || place.context.isEmpty() || place.bag.isEmpty())
     return Error{ErrorCode::UnusableInput,
@@ -196,7 +197,7 @@ Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const cat
   const auto row = catalogue::bagAt(rows,
                                     {place.site.toStdString(), place.trench.toStdString(),
                                      place.context.toStdString(), place.bag.toStdString()},
-                                    act);
+                                    provenance);
   if (!row) return row.error();
   return row->value;
 }

@@ -7,7 +7,7 @@
 
 namespace ostraka::catalogue {
 class Catalogue;
-struct Act;
+struct Provenance;
 }  // namespace ostraka::catalogue
 
 namespace ostraka::ui {
@@ -38,6 +38,6 @@ QString newOf(const catalogue::Catalogue& catalogue, const PlaceText& place);
 /// The row of the bag, made with its context, trench and site where they are new; 0 and no error
 /// when nothing was given.
 Result<std::int64_t> bagRowOf(catalogue::Catalogue& catalogue, const PlaceText& place,
-                              const catalogue::Act& act);
+                              const catalogue::Provenance& provenance);
 
 }  // namespace ostraka::ui

@@ -95,7 +95,7 @@ void PlateView::mousePressEvent(QMouseEvent* event) {
 
 // Where more may lie: shaded, and edged by dots, so that nobody takes them for sherds.
 void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
-  const capture::PlateLook& look = picture_->look;
+  const capture::PlateInspection& look = picture_->look;
   if (!look.pixel_from_plate) return;
   constexpr int kCorners = 36;
   painter.setBrush(photographInks().free_place);

@@ -19,7 +19,7 @@ RigPage::RigPage(QWidget* parent)
     : QWidget(parent),
       sherds_(new QSpinBox(this)),
       width_(new QComboBox(this)),
-      lookalikes_(new QCheckBox(tr("Two of them look alike"), this)) {
+      near_duplicates_(new QCheckBox(tr("Two of them look alike"), this)) {
   auto* empty = new EmptyState(
       QStringLiteral("turntable"), tr("What do you photograph with?"),
       tr("The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig "
@@ -47,14 +47,14 @@ RigPage::RigPage(QWidget* parent)
   width_->addItem(tr("normal"), 1600);
   width_->addItem(tr("fine: as a real camera"), 2400);
   width_->setObjectName(QStringLiteral("virtualWidth"));
-  lookalikes_->setObjectName(QStringLiteral("virtualLookalikes"));
+  near_duplicates_->setObjectName(QStringLiteral("virtualLookalikes"));
   for (QWidget* field : {static_cast<QWidget*>(sherds_), static_cast<QWidget*>(width_),
-                         static_cast<QWidget*>(lookalikes_)})
+                         static_cast<QWidget*>(near_duplicates_)})
     field->setMinimumHeight(controlHeight(*this));
   auto* form = new QFormLayout(box);
   form->addRow(tr("&Sherds on the plate"), sherds_);
   form->addRow(tr("&Photographs"), width_);
-  form->addRow(lookalikes_);
+  form->addRow(near_duplicates_);
   alignForm(*form);
   auto* column = new QVBoxLayout(this);
   column->addWidget(empty, 3);
@@ -63,7 +63,7 @@ RigPage::RigPage(QWidget* parent)
   // As the eye goes: the acts first, then what the virtual rig is to break.
   setTabOrder(scans, sherds_);
   setTabOrder(sherds_, width_);
-  setTabOrder(width_, lookalikes_);
+  setTabOrder(width_, near_duplicates_);
   setChoice({});
 }
 
@@ -88,14 +88,14 @@ void RigPage::setChoice(const RigChoice& choice) {
     at = width_->count() - 1;
   }
   width_->setCurrentIndex(at);
-  lookalikes_->setChecked(choice.lookalikes);
+  near_duplicates_->setChecked(choice.near_duplicates);
 }
 
 void RigPage::chooseVirtual() {
   choice_.kind = RigChoice::Kind::Virtual;
   choice_.sherds = sherds_->value();
   choice_.width_px = width_->currentData().toInt();
-  choice_.lookalikes = lookalikes_->isChecked();
+  choice_.near_duplicates = near_duplicates_->isChecked();
   emit chosen(choice_);
 }
 

@@ -38,7 +38,7 @@ class RigPage final : public QWidget {
   QAbstractButton *use_ = nullptr, *keep_ = nullptr;
   QSpinBox* sherds_;
   QComboBox* width_;
-  QCheckBox* lookalikes_;
+  QCheckBox* near_duplicates_;
 };
 
 }  // namespace ostraka::ui

@@ -21,7 +21,7 @@ virtualrig::VirtualDevicesOptions virtualOptions(const RigChoice& choice, int ba
   options.seed = choice.seed + static_cast<std::uint64_t>(batch);
   options.sherds = choice.sherds;
   options.width = choice.width_px;
-  options.lookalikes = choice.lookalikes ? 1 : 0;
+  options.near_duplicates = choice.near_duplicates ? 1 : 0;
   return options;
 }
 

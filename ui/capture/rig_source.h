@@ -21,7 +21,7 @@ struct RigChoice {
   int sherds = 6;              ///< of the virtual rig
   int width_px = 1600;         ///< of its photographs
   std::uint64_t seed = 1;
-  bool lookalikes = false;  ///< two of the virtual sherds look alike
+  bool near_duplicates = false;  ///< two of the virtual sherds look alike
 
   QString toJson() const;
   static RigChoice fromJson(const QString& text);
@@ -44,7 +44,7 @@ struct RigSource {
       shoot = capture::shootSide;
   /// Counts the sherds of a side that was photographed in an earlier run.
   std::function<capture::SideCheck(const std::vector<std::vector<std::filesystem::path>>&,
-                                   const batch::Plate&, const capture::LookOptions&,
+                                   const batch::Plate&, const capture::InspectionOptions&,
                                    std::stop_token)>
       check = capture::checkSide;
   /// Programs of the desktop that hold a camera, and how they are made to let go (wish W4); absent

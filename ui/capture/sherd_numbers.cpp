@@ -23,7 +23,7 @@ bool isPlausible(const QString& typed) {
 }  // namespace
 
 void SherdNumbers::follow(ProjectSession* session, const QString& batch,
-                          const capture::PlateLook* look) {
+                          const capture::PlateInspection* look) {
   std::vector<Eigen::Vector2d> places;
   if (session != nullptr && look != nullptr && look->pixel_from_plate)
     for (const capture::SeenSherd& sherd : look->sherds) places.push_back(sherd.centre_mm);

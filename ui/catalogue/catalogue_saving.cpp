@@ -5,7 +5,7 @@
 #include "catalogue/sherd_moves.h"
 #include "catalogue/typed_numbers.h"
 #include "ui/catalogue/bulk_edit.h"
-#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/catalogue/sherd_details.h"
 #include "ui/catalogue/sherd_edits.h"
@@ -14,7 +14,7 @@
 
 namespace ostraka::ui {
 
-void CatalogueStation::saveField(const QString& field, const QString& value) {
+void CatalogueScreen::saveField(const QString& field, const QString& value) {
   if (!edits_) return;
   if (field == "place") return move(value.split('\n'));
   const catalogue::Catalogue& catalogue = session_->project().catalogue();
@@ -58,8 +58,8 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
   if (previews && shown.old_value == shown.new_value) showSelection();  // 7 was 0012-0007 already
 }
 
-void CatalogueStation::keepField(const QString& field, const QString& value,
-                                 catalogue::Confirmation confirmation) {
+void CatalogueScreen::keepField(const QString& field, const QString& value,
+                                catalogue::Confirmation confirmation) {
   if (!edits_) return;
   const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString(),
                                       confirmation};
@@ -69,7 +69,7 @@ void CatalogueStation::keepField(const QString& field, const QString& value,
   if (!why.isEmpty()) details_->keepUnsaved(field, value);
 }
 
-void CatalogueStation::move(const QStringList& place) {
+void CatalogueScreen::move(const QStringList& place) {
   const catalogue::SherdRow sherd = details_->sherd();
   std::vector<catalogue::FieldChange> wanted;
   const char* fields[] = {"site", "trench", "context"};
@@ -82,7 +82,7 @@ void CatalogueStation::move(const QStringList& place) {
   if (!why.isEmpty()) complain(why);
 }
 
-void CatalogueStation::changeAll(const std::vector<catalogue::FieldChange>& changes) {
+void CatalogueScreen::changeAll(const std::vector<catalogue::FieldChange>& changes) {
   if (changes.empty() || !edits_) return;
   const std::string& field = changes.front().field;  // others come along with it
   const auto sherds = std::count_if(changes.begin(), changes.end(),
@@ -93,7 +93,7 @@ void CatalogueStation::changeAll(const std::vector<catalogue::FieldChange>& chan
   if (!why.isEmpty()) complain(why);
 }
 
-void CatalogueStation::giveNumbers() {
+void CatalogueScreen::giveNumbers() {
   if (!edits_) return;
   const std::vector<catalogue::SherdRow> sherds = selected();
   complain(sherds.empty() ? tr("Choose the sherds that are to get numbers.")

@@ -28,17 +28,18 @@ struct Task {
   fs::path source;
   Bytes bytes;  // of a table; none for an export folder
   exchange::ImportOptions options;
-  catalogue::Act act;
+  catalogue::Provenance provenance;
 };
 
 Result<exchange::ImportReport> run(catalogue::Project& project, const Task& task,
                                    Progress& progress, std::stop_token stop) {
   if (!task.bytes)
-    return exchange::readBack(project, task.source, task.options.mode, task.act, progress, stop);
+    return exchange::readBack(project, task.source, task.options.mode, task.provenance, progress,
+                              stop);
   if (task.options.mode == exchange::ImportMode::Enter)
     if (const auto saved = project.backUp(); !saved) return saved.error();
   return exchange::importTable(project.catalogue(), *task.bytes, task.source.string(), task.options,
-                               task.act, progress, stop);
+                               task.provenance, progress, stop);
 }
 
 Result<Bytes> tableBytes(const fs::path& source) {
@@ -206,8 +207,8 @@ void ImportModel::look() {
   fraction_ = 0;
   if (!session_ || source_.isEmpty()) return;
   state_ = State::Looking;
-  Task task{source_.toStdString(), bytes_, options(), session_->act()};
-  task.act.source = "import";
+  Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
+  task.provenance.source = "import";
   const auto work = [folder = session_->folder(), task](
                         Progress& progress,
                         std::stop_token stop) -> Result<std::shared_ptr<const Look>> {
@@ -296,11 +297,11 @@ void ImportModel::enter() {
   if (!canEnter()) return;
   state_ = State::Entering;
   fraction_ = 0;
-  Task task{source_.toStdString(), bytes_, options(), session_->act()};
+  Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
   task.options.mode = exchange::ImportMode::Enter;
   task.options.columns = report_->mapping.columns;
   task.options.confirmed_lines = confirmed_;
-  task.act.source = "import";
+  task.provenance.source = "import";
   const auto work = [folder = session_->folder(), task](
                         Progress& progress,
                         std::stop_token stop) -> Result<exchange::ImportReport> {

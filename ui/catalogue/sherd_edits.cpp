@@ -77,7 +77,7 @@ class SherdEditCommand final : public QUndoCommand {
           [](const SherdEdits::Made&) {});
       return;
     }
-    const auto done = edits_.session_.project().catalogue().change(changes, edits_.act());
+    const auto done = edits_.session_.project().catalogue().change(changes, edits_.provenance());
     if (!done) {
       setObsolete(true);
       emit edits_.failed(sentenceOf(done.error()));
@@ -94,8 +94,8 @@ class SherdEditCommand final : public QUndoCommand {
 SherdEdits::SherdEdits(ProjectSession& session, QObject* parent)
     : QObject(parent), session_(session) {}
 
-catalogue::Act SherdEdits::act() const {
-  return session_.act();
+catalogue::Provenance SherdEdits::provenance() const {
+  return session_.provenance();
 }
 
 QString SherdEdits::busyWords() const {
@@ -121,7 +121,7 @@ QString SherdEdits::change(const QString& title, const Changes& changes, const Q
         });
     return {};
   }
-  const auto undo = session_.project().catalogue().change(changes, act());
+  const auto undo = session_.project().catalogue().change(changes, provenance());
   if (!undo) return sentenceOf(undo.error());
   if (undo->empty()) return {};
   session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
@@ -173,14 +173,14 @@ QString SherdEdits::assignNumbers(const std::vector<catalogue::SherdRow>& sherds
 void SherdEdits::changeMany(const QString& title, const Making& making,
                             std::function<void(const Made&)> then) {
   stop_ = std::stop_source();
-  const auto work = [folder = session_.folder(), making, act = act(), stop = stop_.get_token()](
-                        Progress& progress,
-                        std::stop_token) -> Result<std::shared_ptr<const Made>> {
+  const auto work =
+      [folder = session_.folder(), making, provenance = provenance(), stop = stop_.get_token()](
+          Progress& progress, std::stop_token) -> Result<std::shared_ptr<const Made>> {
     Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     Result<Changes> changes = making(*catalogue);
     if (!changes) return changes.error();
-    Result<Changes> undo = catalogue::changeMany(*catalogue, *changes, act, progress, stop);
+    Result<Changes> undo = catalogue::changeMany(*catalogue, *changes, provenance, progress, stop);
     if (!undo) return undo.error();
     return std::make_shared<const Made>(Made{std::move(*changes), std::move(*undo)});
   };

@@ -13,8 +13,8 @@ namespace ostraka::ui {
 class ProjectSession;
 
 /// Saves changes of sherds at once, so that they can be undone; each step is a row of the history.
-/// Few are saved before the call returns; many by a worker, one such act at a time, which ends its
-/// work when the project is closed meanwhile.
+/// Few are saved before the call returns; many by a worker, one such change at a time, which ends
+/// its work when the project is closed meanwhile.
 class SherdEdits final : public QObject {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class SherdEdits final : public QObject {
   /// Gives those of them that are drafts their numbers. The sentence, or empty.
   QString assignNumbers(const std::vector<catalogue::SherdRow>& sherds);
   /// Who works now, as the history names it.
-  catalogue::Act act() const;
+  catalogue::Provenance provenance() const;
 
   bool isBusy() const { return job_ != nullptr; }  ///< many are being changed
   double fraction() const { return job_ ? job_->progress().fraction : 0; }

@@ -28,7 +28,7 @@ class HeaderLine final : public QFrame {
 };
 
 /// The line at the foot: what the computer does now, always; with Pause and Log. Sentences of the
-/// stations stay there for a while.
+/// screens stay there for a while.
 class FooterLine final : public QFrame {
   Q_OBJECT
 

@@ -38,17 +38,17 @@ Error ProjectSession::goneError() const {
           folder_.string()};
 }
 
-catalogue::Act ProjectSession::act(const QString& why) {
-  catalogue::Act act;
-  act.why = why.toStdString();
-  if (initials_.isEmpty()) return act;
+catalogue::Provenance ProjectSession::provenance(const QString& why) {
+  catalogue::Provenance provenance;
+  provenance.why = why.toStdString();
+  if (initials_.isEmpty()) return provenance;
   if (person_row_ == 0) {
-    const auto person = project_->catalogue().personByInitials(initials_.toStdString(), act);
+    const auto person = project_->catalogue().personByInitials(initials_.toStdString(), provenance);
     if (!person) emit personRefused(sentenceOf(person.error()));
     if (person) person_row_ = person->value;
   }
-  act.person.value = person_row_;
-  return act;
+  provenance.person.value = person_row_;
+  return provenance;
 }
 
 }  // namespace ostraka::ui

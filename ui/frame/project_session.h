@@ -10,7 +10,7 @@
 
 namespace ostraka::catalogue {
 class Project;
-struct Act;
+struct Provenance;
 }  // namespace ostraka::catalogue
 
 namespace ostraka::ui {
@@ -18,7 +18,7 @@ namespace ostraka::ui {
 class JobRunner;
 
 /// The project that is open: its catalogue, what can be undone, who works on it, and the way to
-/// long work. Stations get it handed in; what they change they tell here, so that the others see
+/// long work. Screens get it handed in; what they change they tell here, so that the others see
 /// it.
 class ProjectSession final : public QObject {
   Q_OBJECT
@@ -45,7 +45,7 @@ class ProjectSession final : public QObject {
   void setInitials(const QString& initials);  ///< kept in capitals
   /// Who does something now, for calls that change the catalogue. Makes the person's row when the
   /// project does not know the initials yet.
-  catalogue::Act act(const QString& why = {});
+  catalogue::Provenance provenance(const QString& why = {});
 
   /// To be called by who changed a batch or sherds; they emit the signals below.
   void tellBatchChanged(const QString& number) { emit batchChanged(number); }

@@ -57,13 +57,13 @@ class JobMessenger final : public Progress {
   // Ten times a second is as fast as figures can be read.
   static constexpr std::chrono::milliseconds kBetween{100};
 
-  template <class Act>
-  void post(Act act) {
+  template <class Work>
+  void post(Work work) {
     const std::lock_guard guard(shared_->lock);
     JobHandle* handle = shared_->handle;
     if (handle == nullptr) return;
     QMetaObject::invokeMethod(
-        handle, [handle, act] { act(handle); }, Qt::QueuedConnection);
+        handle, [handle, work] { work(handle); }, Qt::QueuedConnection);
   }
 
   void tell() {

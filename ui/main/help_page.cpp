@@ -41,7 +41,7 @@ class ManualText final : public QTextBrowser {
   }
 };
 
-// A page within a station has a list of its own.
+// A page within a screen has a list of its own.
 bool isOfAnInnerScreen(const QAction& action,
                        const std::vector<std::pair<QString, const QWidget*>>& screens,
                        const QWidget* screen) {

@@ -18,13 +18,13 @@
 #include <utility>
 
 #include "catalogue/project.h"
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/rail.h"
+#include "ui/frame/sidebar.h"
 #include "ui/frame/thumbnails.h"
 #include "ui/main/catalogue_repair.h"
 #include "ui/main/file_watch.h"
@@ -32,7 +32,7 @@
 #include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
 #include "ui/queue/batch_queue.h"
-#include "ui/queue/queue_station.h"
+#include "ui/queue/queue_screen.h"
 #include "ui/settings/settings_page.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/words/sentence.h"
@@ -59,7 +59,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(tr("Ostraka"));
   reserveOpenGl(*this);
-  buildStations();
+  buildScreens();
   buildLayout();
   buildActions();
   applySettings(settings_);
@@ -67,9 +67,9 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   start_->setRecent(settings_.recent, settings_.titles);
   connect(queue_, &BatchQueue::workChanged, this, &MainWindow::followLines);
   connect(queue_, &BatchQueue::left, this, [this] { leaving_lock_.reset(); });
-  connect(capture_station_, &CaptureStation::lineChanged, this, &MainWindow::followLines);
-  connect(capture_station_, &CaptureStation::rigRenewed, queue_, &BatchQueue::forgetMoved);
-  connect(capture_station_, &CaptureStation::batchSetAside, queue_, &BatchQueue::setAside);
+  connect(capture_screen_, &CaptureScreen::lineChanged, this, &MainWindow::followLines);
+  connect(capture_screen_, &CaptureScreen::rigRenewed, queue_, &BatchQueue::forgetMoved);
+  connect(capture_screen_, &CaptureScreen::batchSetAside, queue_, &BatchQueue::setAside);
   connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
@@ -93,32 +93,32 @@ MainWindow::~MainWindow() {
   closeProject();
 }
 
-void MainWindow::buildStations() {
-  capture_station_ = new CaptureStation(wizard_, this);
-  queue_station_ = new QueueStation(queue_, this);
-  stations_ = makeStations(capture_station_, queue_station_, this);
+void MainWindow::buildScreens() {
+  capture_screen_ = new CaptureScreen(wizard_, this);
+  queue_screen_ = new QueueScreen(queue_, this);
+  screens_ = makeScreens(capture_screen_, queue_screen_, this);
 }
 
 void MainWindow::buildLayout() {
   all_ = new QStackedWidget(this);
   start_ = new StartScreen(thumbnails_, all_);
   auto* work = new QWidget(all_);
-  rail_ = new Rail(work);
+  sidebar_ = new Sidebar(work);
   header_ = new HeaderLine(work);
   pages_ = new QStackedWidget(work);
-  footer_ = new FooterLine(queue_station_->pauseAction(), queue_station_->logAction(), work);
-  for (Station* station : stations_) {
-    pages_->addWidget(new PageArea(station, pages_));
-    addAction(rail_->addStation(station));  // its key works on the side pages too
-    connect(station, &Station::said, footer_, &FooterLine::say);
-    connect(station, &Station::working, this, [this](const QString& words, double fraction) {
+  footer_ = new FooterLine(queue_screen_->pauseAction(), queue_screen_->logAction(), work);
+  for (Screen* screen : screens_) {
+    pages_->addWidget(new PageArea(screen, pages_));
+    addAction(sidebar_->addScreen(screen));  // its key works on the side pages too
+    connect(screen, &Screen::said, footer_, &FooterLine::say);
+    connect(screen, &Screen::working, this, [this](const QString& words, double fraction) {
       other_work_ = words;
       other_fraction_ = fraction;
       if (words.isEmpty()) warned_ = false;  // what would have been lost is done
       followLines();
     });
-    connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
-    connect(station, &Station::whereChanged, this, &MainWindow::followLines);
+    connect(screen, &Screen::wantsScreen, this, &MainWindow::showScreenNamed);
+    connect(screen, &Screen::whereChanged, this, &MainWindow::followLines);
   }
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
@@ -128,7 +128,7 @@ void MainWindow::buildLayout() {
   auto* row = new QHBoxLayout(work);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(rail_);
+  row->addWidget(sidebar_);
   row->addLayout(right, 1);
   settings_page_ = new SettingsPage(all_);
   help_ = new HelpPage(all_);
@@ -138,7 +138,7 @@ void MainWindow::buildLayout() {
                         static_cast<QWidget*>(settings_area_), static_cast<QWidget*>(help_)})
     all_->addWidget(page);
   setCentralWidget(all_);
-  connect(rail_, &Rail::selectedChanged, this, &MainWindow::showStation);
+  connect(sidebar_, &Sidebar::selectedChanged, this, &MainWindow::showScreen);
   connect(start_, &StartScreen::opened, this, &MainWindow::openProject);
   connect(start_, &StartScreen::found, this, &MainWindow::findProject);
   connect(start_, &StartScreen::made, this, &MainWindow::takeProject);
@@ -151,8 +151,8 @@ void MainWindow::buildLayout() {
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
   connect(all_, &QStackedWidget::currentChanged, this, [this, work] {  // a live picture rests
-    for (Station* station : stations_)
-      if (all_->currentWidget() != work) station->setInFront(false);
+    for (Screen* screen : screens_)
+      if (all_->currentWidget() != work) screen->setInFront(false);
   });
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
@@ -208,13 +208,13 @@ void MainWindow::buildActions() {
   connect(addAct(QStringLiteral("closeProject"), QStringLiteral("folder"), tr("Other projects"),
                  QKeySequence(Qt::CTRL | Qt::Key_W)),
           &QAction::triggered, this, &MainWindow::leaveProject);
-  connect(rail_->addFoot(QStringLiteral("folder"), tr("Projects"), {}), &QAction::triggered, this,
-          &MainWindow::leaveProject);
-  QAction* settings = rail_->addFoot(QStringLiteral("settings"), tr("Settings"),
-                                     QKeySequence(Qt::CTRL | Qt::Key_Comma));
+  connect(sidebar_->addFoot(QStringLiteral("folder"), tr("Projects"), {}), &QAction::triggered,
+          this, &MainWindow::leaveProject);
+  QAction* settings = sidebar_->addFoot(QStringLiteral("settings"), tr("Settings"),
+                                        QKeySequence(Qt::CTRL | Qt::Key_Comma));
   addAction(settings);  // its key works without a project too
   connect(settings, &QAction::triggered, this, &MainWindow::showSettings);
-  connect(rail_->addFoot(QStringLiteral("help"), tr("Help"), {}), &QAction::triggered, this,
+  connect(sidebar_->addFoot(QStringLiteral("help"), tr("Help"), {}), &QAction::triggered, this,
           &MainWindow::showManual);
   connect(addAct(QStringLiteral("leavePage"), QStringLiteral("previous"), tr("Back to work"),
                  QKeySequence(Qt::ALT | Qt::Key_Left)),
@@ -234,7 +234,7 @@ void MainWindow::openProject(const QString& path) {
     return start_->showError(project.error());
   }
   showProject(std::make_shared<catalogue::Project>(std::move(*project)));
-  showStation(qMax(0, stationNamed(settings_.station)));
+  showScreen(qMax(0, screenNamed(settings_.screen)));
 }
 
 void MainWindow::findProject(const QString& lost, const QString& found) {
@@ -260,7 +260,7 @@ void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   closeProject();
   if (!lockProject(QString::fromStdString(project->folder().string()))) return;
   showProject(std::move(project));
-  showStation(0);
+  showScreen(0);
 }
 
 void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
@@ -273,7 +273,7 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   session_->setInitials(settings_.initials);
   undo_->addStack(&session_->undo());
   undo_->setActiveStack(&session_->undo());
-  for (Station* station : stations_) station->openProject(*session_);
+  for (Screen* screen : screens_) screen->openProject(*session_);
   settings_page_->setSession(session_.get());
   settings_.remember(path, title_);
   writeSettings(settings_);
@@ -299,9 +299,9 @@ void MainWindow::closeProject() {
   if (session_ == nullptr) return;
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
-  for (Station* station : stations_) {
-    station->setInFront(false);
-    station->closeProject();
+  for (Screen* screen : screens_) {
+    screen->setInFront(false);
+    screen->closeProject();
   }
   settings_page_->setSession(nullptr);
   file_watch_->stop();
@@ -325,18 +325,18 @@ void MainWindow::fitToSize() {
   // Where letters are large, less stands in the same height.
   const double letters = static_cast<double>(QFontInfo(font()).pixelSize()) / Look::kBody;
   const bool compact = height() < Look::kCompactBelow * std::max(1.0, letters);
-  rail_->fit(size());
+  sidebar_->fit(size());
   header_->setCompact(compact);
   footer_->setCompact(compact);
-  for (Station* station : stations_) station->setCompact(compact);
+  for (Screen* screen : screens_) screen->setCompact(compact);
 }
 
 bool MainWindow::saysWhatIsLost() {
-  for (std::size_t i = 0; i < stations_.size() && session_ != nullptr; ++i) {
-    const QString loss = stations_[i]->losesByClosing();
+  for (std::size_t i = 0; i < screens_.size() && session_ != nullptr; ++i) {
+    const QString loss = screens_[i]->losesByClosing();
     if (loss.isEmpty()) continue;
     if (std::exchange(warned_, true)) return false;
-    showStation(static_cast<int>(i));
+    showScreen(static_cast<int>(i));
     footer_->say(loss);
     return true;
   }
@@ -356,8 +356,8 @@ void MainWindow::tryVirtualRig() {
   takeProject(*made);
 }
 
-void MainWindow::showStation(int index) {
-  if (index < 0 || index >= static_cast<int>(stations_.size()) || session_ == nullptr) return;
+void MainWindow::showScreen(int index) {
+  if (index < 0 || index >= static_cast<int>(screens_.size()) || session_ == nullptr) return;
   if (!session_->isThere() && !wizard_->isShooting()) {
     const Error gone = session_->goneError();
     closeProject();
@@ -365,26 +365,26 @@ void MainWindow::showStation(int index) {
   }
   const auto before = static_cast<std::size_t>(pages_->currentIndex());
   const auto now = static_cast<std::size_t>(index);
-  if (before != now) stations_[now]->takeChosen(stations_[before]->chosen());
+  if (before != now) screens_[now]->takeChosen(screens_[before]->chosen());
   all_->setCurrentIndex(1);
   pages_->setCurrentIndex(index);
-  rail_->select(index);
-  for (std::size_t i = 0; i < stations_.size(); ++i)
-    stations_[i]->setInFront(static_cast<int>(i) == index);
+  sidebar_->select(index);
+  for (std::size_t i = 0; i < screens_.size(); ++i)
+    screens_[i]->setInFront(static_cast<int>(i) == index);
   followLines();
 }
 
-int MainWindow::stationNamed(const QString& icon_name) const {
-  for (std::size_t i = 0; i < stations_.size(); ++i)
-    if (stations_[i]->iconName() == icon_name) return static_cast<int>(i);
+int MainWindow::screenNamed(const QString& icon_name) const {
+  for (std::size_t i = 0; i < screens_.size(); ++i)
+    if (screens_[i]->iconName() == icon_name) return static_cast<int>(i);
   return -1;
 }
 
-void MainWindow::showStationNamed(const QString& icon_name, const QString& what) {
-  const int station = stationNamed(icon_name);
-  if (station < 0) return;
-  showStation(station);
-  if (!what.isEmpty()) stations_[static_cast<std::size_t>(station)]->showItem(what);
+void MainWindow::showScreenNamed(const QString& icon_name, const QString& what) {
+  const int screen = screenNamed(icon_name);
+  if (screen < 0) return;
+  showScreen(screen);
+  if (!what.isEmpty()) screens_[static_cast<std::size_t>(screen)]->showItem(what);
 }
 
 void MainWindow::showSettings() {
@@ -401,17 +401,17 @@ void MainWindow::showManual() {
   else if (shown == settings_area_)
     page = QStringLiteral("settings");
   else if (shown != help_)
-    page = stations_[static_cast<std::size_t>(pages_->currentIndex())]->manualPage();
+    page = screens_[static_cast<std::size_t>(pages_->currentIndex())]->manualPage();
   help_->showManual(page);
   all_->setCurrentWidget(help_);
 }
 
 void MainWindow::showShortcuts() {
   std::vector<std::pair<QString, const QWidget*>> screens;
-  for (const Station* station : stations_) {
-    screens.emplace_back(station->title(), station);
-    if (station == queue_station_)
-      screens.emplace_back(tr("Queue: editing masks"), queue_station_->masksPage());
+  for (const Screen* screen : screens_) {
+    screens.emplace_back(screen->title(), screen);
+    if (screen == queue_screen_)
+      screens.emplace_back(tr("Queue: editing masks"), queue_screen_->masksPage());
   }
   screens.emplace_back(tr("Everywhere"), this);
   help_->showShortcuts(screens);
@@ -422,7 +422,7 @@ void MainWindow::leaveSidePage() {
   if (session_ == nullptr)
     all_->setCurrentWidget(start_area_);
   else
-    showStation(pages_->currentIndex());
+    showScreen(pages_->currentIndex());
 }
 
 void MainWindow::applySettings(const WindowSettings& settings) {
@@ -442,9 +442,9 @@ void MainWindow::followLines() {
   const QString where =
       session_ == nullptr || pages_->currentIndex() < 0
           ? QString()
-          : stations_[static_cast<std::size_t>(pages_->currentIndex())]->whereWords();
+          : screens_[static_cast<std::size_t>(pages_->currentIndex())]->whereWords();
   header_->setWhere(where.isEmpty() && session_ != nullptr ? title_ : where);
-  header_->setRig(capture_station_->rigWords(), capture_station_->isRigReady());
+  header_->setRig(capture_screen_->rigWords(), capture_screen_->isRigReady());
 }
 
 void MainWindow::measureRoom() {
@@ -482,9 +482,9 @@ void MainWindow::backUp() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (saysWhatIsLost()) return event->ignore();
   settings_.geometry = saveGeometry();
-  const int selected = rail_->selected();
+  const int selected = sidebar_->selected();
   if (session_ != nullptr)
-    settings_.station = selected < 0 ? QString() : stations_.at(selected)->iconName();
+    settings_.screen = selected < 0 ? QString() : screens_.at(selected)->iconName();
   writeSettings(settings_);
   closeProject();
   if (!queue_->isLeaving()) return event->accept();

@@ -18,7 +18,7 @@ class Project;
 namespace ostraka::ui {
 
 class BatchQueue;
-class CaptureStation;
+class CaptureScreen;
 class CaptureWizard;
 class FileWatch;
 class FooterLine;
@@ -27,15 +27,15 @@ class HelpPage;
 class JobRunner;
 class ProjectLock;
 class ProjectSession;
-class QueueStation;
+class QueueScreen;
 class PageArea;
-class Rail;
+class Sidebar;
 class SettingsPage;
 class StartScreen;
-class Station;
+class Screen;
 class Thumbnails;
 
-/// Rail, line at the head, stations, line at the foot. It puts the screens together and passes on
+/// Sidebar, line at the head, screens, line at the foot. It puts the screens together and passes on
 /// what they tell each other; what happens stands in them and in their view-models.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
@@ -52,11 +52,11 @@ class MainWindow final : public QMainWindow {
   ProjectSession* session() const { return session_.get(); }
   BatchQueue* queue() const { return queue_; }
   CaptureWizard* wizard() const { return wizard_; }
-  const std::vector<Station*>& stations() const { return stations_; }
+  const std::vector<Screen*>& screens() const { return screens_; }
 
  public slots:
-  void showStation(int index);
-  void showStationNamed(const QString& icon_name, const QString& what);
+  void showScreen(int index);
+  void showScreenNamed(const QString& icon_name, const QString& what);
   void showSettings();
   void showManual();
   void showShortcuts();
@@ -68,13 +68,13 @@ class MainWindow final : public QMainWindow {
  private:
   bool saysWhatIsLost();
   void fitToSize();
-  void buildStations();
+  void buildScreens();
   void buildLayout();
   void buildActions();
   bool lockProject(const QString& folder);
   void takeProject(std::shared_ptr<catalogue::Project> project);
   void showProject(std::shared_ptr<catalogue::Project> project);
-  int stationNamed(const QString& icon_name) const;
+  int screenNamed(const QString& icon_name) const;
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
   void leaveSidePage();
@@ -93,9 +93,9 @@ class MainWindow final : public QMainWindow {
   QUndoGroup* undo_;
   BatchQueue* queue_;
   CaptureWizard* wizard_;
-  QueueStation* queue_station_ = nullptr;
-  CaptureStation* capture_station_ = nullptr;
-  std::vector<Station*> stations_;
+  QueueScreen* queue_screen_ = nullptr;
+  CaptureScreen* capture_screen_ = nullptr;
+  std::vector<Screen*> screens_;
   Thumbnails* thumbnails_;
   QStackedWidget *all_ = nullptr, *pages_ = nullptr;
   PageArea *start_area_ = nullptr, *settings_area_ = nullptr;
@@ -106,14 +106,14 @@ class MainWindow final : public QMainWindow {
   bool warned_ = false;  ///< of what closing would lose
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;
-  Rail* rail_ = nullptr;
+  Sidebar* sidebar_ = nullptr;
   HeaderLine* header_ = nullptr;
   FooterLine* footer_ = nullptr;
   QTimer* room_timer_;
   FileWatch* file_watch_;
 };
 
-/// All stations of the rail in their order, made with their view-models.
-std::vector<Station*> makeStations(CaptureStation* capture, QueueStation* queue, QWidget* parent);
+/// All screens of the sidebar in their order, made with their view-models.
+std::vector<Screen*> makeScreens(CaptureScreen* capture, QueueScreen* queue, QWidget* parent);
 
 }  // namespace ostraka::ui

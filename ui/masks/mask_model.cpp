@@ -18,7 +18,7 @@ namespace ostraka::ui {
 namespace {
 
 // Seen on every clay and on the plate: a colour that neither has.
-constexpr QRgb kVeil = qRgba(0, 90, 190, 120);
+constexpr QRgb kOverlay = qRgba(0, 90, 190, 120);
 
 struct OpenedMasks {
   std::vector<pipeline::MaskedPhotograph> photographs;
@@ -41,10 +41,11 @@ Result<OpenedMasks> opened(const std::filesystem::path& output, const std::stop_
   return OpenedMasks{std::move(*photographs), std::move(hashes), std::move(*strokes)};
 }
 
-QImage veilOf(const QImage& mask) {
+QImage overlayOf(const QImage& mask) {
   QVector<QRgb> colours(256);
   for (int level = 0; level < 256; ++level)
-    colours[level] = qRgba(qRed(kVeil), qGreen(kVeil), qBlue(kVeil), qAlpha(kVeil) * level / 255);
+    colours[level] =
+        qRgba(qRed(kOverlay), qGreen(kOverlay), qBlue(kOverlay), qAlpha(kOverlay) * level / 255);
   QImage grey = mask.convertToFormat(QImage::Format_Grayscale8);
   QImage indexed(grey.constBits(), grey.width(), grey.height(),
                  static_cast<int>(grey.bytesPerLine()), QImage::Format_Indexed8);
@@ -130,7 +131,7 @@ void MaskModel::close() {
   strokes_.clear();
   index_ = -1;
   painted_ = false;
-  photograph_ = found_veil_ = veil_ = {};
+  photograph_ = found_overlay_ = overlay_ = {};
   emit changed();
 }
 
@@ -172,14 +173,14 @@ std::vector<pipeline::MaskStroke> MaskModel::strokesOn(int index) const {
   return pipeline::strokesOn(strokes_, p.side, p.camera, p.stop, hashes_.at(i)).holding;
 }
 
-bool MaskModel::isMended(int index) const {
+bool MaskModel::isEdited(int index) const {
   return !strokesOn(index).empty();
 }
 
-int MaskModel::mended() const {
-  int mended = 0;
-  for (int i = 0; i < count(); ++i) mended += isMended(i) ? 1 : 0;
-  return mended;
+int MaskModel::edited() const {
+  int edited = 0;
+  for (int i = 0; i < count(); ++i) edited += isEdited(i) ? 1 : 0;
+  return edited;
 }
 
 Result<MaskModel::Shown> MaskModel::read(const pipeline::MaskedPhotograph& photograph) {
@@ -187,10 +188,10 @@ Result<MaskModel::Shown> MaskModel::read(const pipeline::MaskedPhotograph& photo
               readWhole(QString::fromStdString(photograph.mask.string())),
               pipeline::photographHash(photograph.photograph)};
   for (const auto& [image, file] : {std::pair(&shown.photograph, &photograph.photograph),
-                                    std::pair(&shown.veil, &photograph.mask)})
+                                    std::pair(&shown.overlay, &photograph.mask)})
     if (image->isNull())
       return Error{ErrorCode::Missing, "The picture cannot be read.", file->string()};
-  shown.veil = veilOf(shown.veil);
+  shown.overlay = overlayOf(shown.overlay);
   return shown;
 }
 
@@ -198,7 +199,7 @@ void MaskModel::show(int index) {
   if (!session_ || index < 0 || index >= count()) return;
   forgetJob();
   index_ = index;
-  photograph_ = found_veil_ = veil_ = {};
+  photograph_ = found_overlay_ = overlay_ = {};
   emit changed();
   job_ = session_->jobs().start(
       makeJob(tr("Mask"), [photograph = photographs_[static_cast<std::size_t>(index)]](
@@ -210,16 +211,16 @@ void MaskModel::show(int index) {
     const auto shown = outcomeAs<Shown>(outcome);
     if (!shown) return emit failed(sentenceOf(shown.error()));
     photograph_ = shown->photograph;
-    found_veil_ = shown->veil;
+    found_overlay_ = shown->overlay;
     hashes_[static_cast<std::size_t>(index_)] = shown->hash;
-    drawVeil();
+    drawOverlay();
   });
 }
 
-void MaskModel::drawVeil() {
-  veil_ = found_veil_;
-  if (veil_.isNull()) return;
-  QPainter painter(&veil_);
+void MaskModel::drawOverlay() {
+  overlay_ = found_overlay_;
+  if (overlay_.isNull()) return;
+  QPainter painter(&overlay_);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const pipeline::MaskStroke& s : strokesOn(index_)) {
     QPolygonF path;
@@ -228,19 +229,19 @@ void MaskModel::drawVeil() {
     painter.setCompositionMode(s.paint == pipeline::MaskPaint::Sherd
                                    ? QPainter::CompositionMode_Source
                                    : QPainter::CompositionMode_Clear);
-    painter.setPen(
-        QPen(QColor::fromRgba(kVeil), 2 * s.radius_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(QColor::fromRgba(kOverlay), 2 * s.radius_px, Qt::SolidLine, Qt::RoundCap,
+                        Qt::RoundJoin));
     painter.drawPolyline(path);
   }
   painter.end();
-  emit veilChanged();
+  emit overlayChanged();
 }
 
 Result<void> MaskModel::hold(std::vector<pipeline::MaskStroke> strokes) {
   if (const Result<void> done = pipeline::writeMaskStrokes(output_, strokes); !done) return done;
   strokes_ = std::move(strokes);
   painted_ = true;
-  if (index_ >= 0) drawVeil();
+  if (index_ >= 0) drawOverlay();
   settle(session_, batch_);
   return {};
 }
@@ -270,7 +271,7 @@ void MaskModel::settle(ProjectSession* session, const QString& batch) {
 }
 
 void MaskModel::paint(pipeline::MaskPaint paint, const QPolygonF& path, double radius_px) {
-  if (!session_ || index_ < 0 || veil_.isNull() || path.isEmpty()) return;
+  if (!session_ || index_ < 0 || overlay_.isNull() || path.isEmpty()) return;
   const pipeline::MaskedPhotograph& p = photographs_[static_cast<std::size_t>(index_)];
   pipeline::MaskStroke stroke;
   stroke.side = p.side;

@@ -30,13 +30,13 @@ class MaskModel final : public QObject {
   int count() const { return static_cast<int>(photographs_.size()); }
   QString title(int index) const;  ///< "front, camera A, stop 1"
   int index() const { return index_; }
-  bool isMended(int index) const;  ///< somebody painted on it
-  int mended() const;              ///< how many photographs are
-  bool canCompute() const { return painted_ || mended() > 0; }
+  bool isEdited(int index) const;  ///< somebody painted on it
+  int edited() const;              ///< how many photographs are
+  bool canCompute() const { return painted_ || edited() > 0; }
 
-  /// The photograph, and a veil over what is sherd; null while they are read.
+  /// The photograph, and a overlay over what is sherd; null while they are read.
   const QImage& photograph() const { return photograph_; }
-  const QImage& veil() const { return veil_; }
+  const QImage& overlay() const { return overlay_; }
 
   void show(int index);
   /// path: in pixels of the photograph.
@@ -44,18 +44,18 @@ class MaskModel final : public QObject {
 
  signals:
   void changed();  ///< photographs, or which is shown
-  void veilChanged();
+  void overlayChanged();
   void failed(const QString& sentence);
 
  private:
   friend class StrokeCommand;
   struct Shown {
-    QImage photograph, veil;
+    QImage photograph, overlay;
     std::string hash;  ///< of the photograph's file
   };
   std::vector<pipeline::MaskStroke> strokesOn(int index) const;
   Result<void> hold(std::vector<pipeline::MaskStroke> strokes);
-  void drawVeil();
+  void drawOverlay();
   void forgetJob();
   void settle(ProjectSession* session, const QString& batch);
   static Result<Shown> read(const pipeline::MaskedPhotograph& photograph);
@@ -68,7 +68,7 @@ class MaskModel final : public QObject {
   std::vector<pipeline::MaskStroke> strokes_;
   bool painted_ = false;
   int index_ = -1;
-  QImage photograph_, found_veil_, veil_;
+  QImage photograph_, found_overlay_, overlay_;
   QPointer<JobHandle> job_, settling_;
   QString settle_next_;  ///< a batch that was painted on meanwhile
 };

@@ -55,9 +55,9 @@ MaskPage::MaskPage(QWidget* parent)
   connect(compute_, &QAction::triggered, this, [this] { emit computeWanted(model_->batch()); });
   connect(which_, &QComboBox::activated, model_, &MaskModel::show);
   connect(model_, &MaskModel::changed, this, &MaskPage::showModel);
-  connect(model_, &MaskModel::veilChanged, this, [this] {
+  connect(model_, &MaskModel::overlayChanged, this, [this] {
     view_->setPicture(model_->photograph(), {});
-    view_->setVeil(model_->veil());
+    view_->setOverlay(model_->overlay());
     showTold();
   });
   connect(model_, &MaskModel::failed, told_, &QLabel::setText);
@@ -185,9 +185,9 @@ void MaskPage::showTold() {
   compute_->setEnabled(model_->canCompute());
   if (model_->index() < 0) return;
   told_->setText(
-      model_->mended() > 0
+      model_->edited() > 0
           ? tr("%n photograph(s) edited. Reprocess to update what follows from them.", nullptr,
-               model_->mended())
+               model_->edited())
           : tr("Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; "
                "the program's own masks stay."));
 }

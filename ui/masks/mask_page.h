@@ -16,7 +16,7 @@ class MaskView;
 class ProjectSession;
 class ToolRow;
 
-/// Shows the masks of a batch and lets a person mend them with a brush.
+/// Shows the masks of a batch and lets a person edit them with a brush.
 class MaskPage final : public QWidget {
   Q_OBJECT
 

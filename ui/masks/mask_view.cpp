@@ -40,7 +40,7 @@ void MaskView::setPicture(const QImage& photograph, const QString& otherwise) {
   photograph_ = photograph;
   otherwise_ = otherwise;
   path_.clear();
-  if (photograph.isNull()) veil_ = {};
+  if (photograph.isNull()) overlay_ = {};
   if (other_size && !photograph.isNull()) {
     size_ = photograph.size();
     showWhole();
@@ -49,8 +49,8 @@ void MaskView::setPicture(const QImage& photograph, const QString& otherwise) {
   update();
 }
 
-void MaskView::setVeil(const QImage& veil) {
-  veil_ = veil;
+void MaskView::setOverlay(const QImage& overlay) {
+  overlay_ = overlay;
   update();
 }
 
@@ -122,7 +122,7 @@ void MaskView::paintEvent(QPaintEvent*) {
   const QRectF where(placeOf({-0.5, -0.5}), QSizeF(photograph_.size()) * scale());
   painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 2);
   painter.drawImage(where, photograph_);
-  if (!veil_.isNull()) painter.drawImage(where, veil_);
+  if (!overlay_.isNull()) painter.drawImage(where, overlay_);
   painter.setRenderHint(QPainter::Antialiasing);
   QPolygonF path;
   for (const QPointF& pixel : path_) path << placeOf(pixel);

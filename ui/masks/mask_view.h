@@ -6,8 +6,8 @@
 
 namespace ostraka::ui {
 
-/// A photograph under a veil, and a round brush. The wheel and + - enlarge, the right button moves
-/// the picture. By keyboard: the arrows move the brush, Space paints where it is.
+/// A photograph under a overlay, and a round brush. The wheel and + - enlarge, the right button
+/// moves the picture. By keyboard: the arrows move the brush, Space paints where it is.
 class MaskView final : public QWidget {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class MaskView final : public QWidget {
   explicit MaskView(QWidget* parent = nullptr);
 
   void setPicture(const QImage& photograph, const QString& otherwise);
-  void setVeil(const QImage& veil);
+  void setOverlay(const QImage& overlay);
   /// px of the photograph.
   void setBrush(double radius_px, bool paints_sherd);
   void enlarge(double factor);
@@ -44,7 +44,7 @@ class MaskView final : public QWidget {
   void moveBrush(const QPointF& by_px);
   void keepWithin();
 
-  QImage photograph_, veil_;
+  QImage photograph_, overlay_;
   QString otherwise_;
   QSize size_;  ///< of the photograph shown last: the next one of a batch is looked at alike
   double radius_px_ = 20, zoom_ = 1;  ///< 1: the whole picture fits

@@ -140,7 +140,7 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
   } else {
     readDetails(project, row);
   }
-  row.masks_mended = row.state == QueueState::Review &&
+  row.masks_edited = row.state == QueueState::Review &&
                      pipeline::masksWantComputing(project.resultsFolder(batch.number));
   return row;
 }
@@ -332,8 +332,8 @@ void BatchQueue::fail(const QString& number, const BatchFailure& failure) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   Result<void> kept = keepFailure(rows, number, failure);
   if (const QueueRow* row = find(number); kept && row != nullptr)
-    kept =
-        rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(wordsOf(failure)));
+    kept = rows.setBatchState({row->batch_row}, BatchState::Failed,
+                              session_->provenance(wordsOf(failure)));
   // What still counts as queued would be computed again and again.
   if (!kept) stopFor(kept.error());
 }
@@ -382,7 +382,7 @@ void BatchQueue::cancel(const QString& number) {
   const catalogue::Project& project = session_->project();
   const Result<bool> as_before = catalogue::takeOutOfQueue(
       session_->project().catalogue(), number.toStdString(),
-      project.resultsFolder(number.toStdString()), session_->act(wordsOf(removed)));
+      project.resultsFolder(number.toStdString()), session_->provenance(wordsOf(removed)));
   if (!as_before) return stopFor(as_before.error());
   if (*as_before) return settle(number);
   fail(number, removed);
@@ -422,10 +422,10 @@ void BatchQueue::retry(const QString& number) {
   const QueueRow* row = find(number);
   if (session_ == nullptr || row == nullptr || row->state == QueueState::Shooting) return;
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Act act = session_->act(tr("again"));
+  const catalogue::Provenance provenance = session_->provenance(tr("again"));
   const std::optional<BatchState> was = keptFailure(rows, number).was;
-  Result<void> asked = was ? rows.setBatchState({row->batch_row}, *was, act)
-                           : catalogue::queueAgain(rows, number.toStdString(), act);
+  Result<void> asked = was ? rows.setBatchState({row->batch_row}, *was, provenance)
+                           : catalogue::queueAgain(rows, number.toStdString(), provenance);
   if (asked) asked = forgetFailure(rows, number);
   if (!asked) stopFor(asked.error());
   session_->tellBatchChanged(number);

@@ -37,7 +37,7 @@ struct QueueRow {
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
   bool aside = false;         ///< Failed, and nobody wants it
-  bool masks_mended = false;  ///< Review: since its results were computed
+  bool masks_edited = false;  ///< Review: since its results were computed
   QString scale_doubts;       ///< why no measure is sure, a sentence a line
   std::optional<BatchFigures> figures;
   QString picture, about;  ///< a photograph of the front; bag, day and count where known

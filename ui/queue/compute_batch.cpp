@@ -155,19 +155,19 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   if (!now) return now.error();
   if (now->state <= catalogue::BatchState::Back && now->state != record->state)
     return Error::cancelled();
-  const catalogue::Act act{{}, "process", {}};
+  const catalogue::Provenance provenance{{}, "process", {}};
   progress.begin("catalogue", 0.01);
-  if (const auto set = rows.setBatchState(record->row, BatchState::Computed, act); !set)
+  if (const auto set = rows.setBatchState(record->row, BatchState::Computed, provenance); !set)
     return set.error();
   if (!scans)
-    if (const auto entered =
-            catalogue::enterPhotographs(rows, project->folder(), record->row, act, progress, stop);
+    if (const auto entered = catalogue::enterPhotographs(rows, project->folder(), record->row,
+                                                         provenance, progress, stop);
         !entered)
       return entered.error();
-  const Result<catalogue::EnteredResults> entered =
-      catalogue::enterResults(rows, project->folder(), record->row, output, act, progress, stop);
+  const Result<catalogue::EnteredResults> entered = catalogue::enterResults(
+      rows, project->folder(), record->row, output, provenance, progress, stop);
   if (!entered) return entered.error();
-  const Result<bool> again = catalogue::queueIfAsked(rows, options.number, act);
+  const Result<bool> again = catalogue::queueIfAsked(rows, options.number, provenance);
   if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
   for (const std::string& number : entered->numbers_left)
     progress.note(NoteLevel::Warning, leftWords(rows, number).toStdString());

@@ -31,7 +31,7 @@ QString queueStateWords(QueueState state) {
 QString stateWords(const QueueRow& row) {
   if (row.state == QueueState::Review && row.figures && row.figures->draft)
     return BatchQueue::tr("Draft: review it, then reprocess it");
-  if (row.masks_mended) return BatchQueue::tr("Masks edited: reprocess it");
+  if (row.masks_edited) return BatchQueue::tr("Masks edited: reprocess it");
   if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
     return BatchQueue::tr("Scale in doubt: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)

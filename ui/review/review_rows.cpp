@@ -50,7 +50,7 @@ void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& ta
   for (const pipeline::PairDecision& d : pipeline::standing(all)) {
     const bool join = d.kind == pipeline::DecisionKind::Join;
     if (!join && d.kind != pipeline::DecisionKind::Split) continue;
-    if (pipeline::isSaidIn(followed, d)) continue;
+    if (pipeline::containedIn(followed, d)) continue;
     for (ReviewRow& row : rows) {
       bool here = false;
       QStringList others;

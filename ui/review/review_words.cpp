@@ -12,7 +12,7 @@ using pairing::Doubt;
 using pipeline::CandidateTable;
 using pipeline::CardState;
 using pipeline::ReviewCard;
-using registration::Slip;
+using registration::FailedCheck;
 
 constexpr double kToldApart = 0.05;  // chances that differ by more are not the same to a person
 
@@ -48,13 +48,13 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table, const C
           .arg(nameOf(table.backs, card.back));
     case Doubt::OtherPartner:
       return rivalSentence(card, table);
-    case Doubt::Strangers:
+    case Doubt::Unrelated:
       return capitalised(
           tr("%1 fits barely better than an unrelated back.").arg(nameOf(table.backs, card.back)));
     case Doubt::OtherPose:
       return tr("Ambiguous: a second position fits almost as well.");
     case Doubt::SelfCheck:
-      return slipSentence(card.slip, card.slip_value);
+      return slipSentence(card.failed_check, card.check_value);
     case Doubt::None:
       break;
   }
@@ -97,24 +97,24 @@ QString percent(double share) {
   return tr("%1 %").arg(QLocale().toString(std::floor(std::min(share, 1.0) * 100 + 1e-9), 'f', 0));
 }
 
-QString slipSentence(Slip slip, double value) {
-  switch (slip) {
-    case Slip::UpsideDown:
+QString slipSentence(FailedCheck failed_check, double value) {
+  switch (failed_check) {
+    case FailedCheck::UpsideDown:
       return tr("The back lies upside down: both sides face the same way.");
-    case Slip::FacesCross:
+    case FailedCheck::FacesCross:
       return tr("The faces cross: %1 of the front lies behind the back.").arg(percent(value));
-    case Slip::NoSharedFracture:
+    case FailedCheck::NoSharedFracture:
       return value < 0.02 ? tr("The two scans share almost no fracture; only their outlines match.")
                           : tr("The two scans share only %1 of the fracture.").arg(percent(value));
-    case Slip::FractureMisfits:
+    case FailedCheck::FractureMisfits:
       return tr("The fractures do not fit: %1 apart.").arg(mm(value));
-    case Slip::FractureLoose:
+    case FailedCheck::FractureLoose:
       return tr("The fracture barely fixes the position: uncertain by %1.").arg(mm(value));
-    case Slip::RivalPlace:
+    case FailedCheck::RivalPlace:
       return tr("A position %1 along the contour fits almost as well.").arg(mm(value, 1));
-    case Slip::OutlinesAlone:
+    case FailedCheck::OutlinesAlone:
       return tr("The fractures cannot be compared; only the outlines match.");
-    case Slip::None:
+    case FailedCheck::None:
       break;
   }
   return {};

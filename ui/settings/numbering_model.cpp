@@ -199,12 +199,12 @@ void NumberingModel::follow() {
 
 Result<void> NumberingModel::hold(const Numbering& numbering) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Act act = session_->act();
+  const catalogue::Provenance provenance = session_->provenance();
   const Result<void> done = rows.together([&]() -> Result<void> {
     Result<catalogue::ProjectRecord> project = rows.project();
     if (!project) return project.error();
     project->numbering = numbering.scheme.toStdString();
-    if (Result<void> set = rows.setProject(*project, act); !set) return set;
+    if (Result<void> set = rows.setProject(*project, provenance); !set) return set;
     for (const auto& [key, value] :
          {std::pair(kFirst, numbering.first), std::pair(kLast, numbering.last)})
       if (Result<void> set = rows.setSetting(key, std::to_string(value)); !set) return set;

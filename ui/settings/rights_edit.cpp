@@ -97,7 +97,8 @@ Result<void> RightsEdit::hold(const QString& licence, const QString& holder) {
   if (!record) return record.error();
   record->licence = licence.toStdString();
   record->rights_holder = holder.toStdString();
-  if (Result<void> done = session_->project().catalogue().setProject(*record, session_->act());
+  if (Result<void> done =
+          session_->project().catalogue().setProject(*record, session_->provenance());
       !done)
     return done;
   showRights();

@@ -152,8 +152,8 @@ std::vector<catalogue::Term> VocabularyEdit::written() const {
 
 Result<void> VocabularyEdit::hold(const QString& vocabulary,
                                   const std::vector<catalogue::Term>& terms) {
-  if (Result<void> done = session_->project().catalogue().setVocabulary(vocabulary.toStdString(),
-                                                                        terms, session_->act());
+  if (Result<void> done = session_->project().catalogue().setVocabulary(
+          vocabulary.toStdString(), terms, session_->provenance());
       !done)
     return done;
   session_->tellVocabulariesChanged();

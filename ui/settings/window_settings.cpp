@@ -47,7 +47,7 @@ WindowSettings readSettings() {
   for (const QString& project : settings.recent)
     if (titles.contains(project)) settings.titles[project] = titles[project].toString();
   settings.geometry = kept.value(QStringLiteral("geometry")).toByteArray();
-  settings.station = kept.value(QStringLiteral("station")).toString();
+  settings.screen = kept.value(QStringLiteral("screen")).toString();
   return settings;
 }
 
@@ -64,7 +64,7 @@ void writeSettings(const WindowSettings& settings) {
     titles[title.key()] = title.value();
   kept.setValue(QStringLiteral("titles"), titles);
   kept.setValue(QStringLiteral("geometry"), settings.geometry);
-  kept.setValue(QStringLiteral("station"), settings.station);
+  kept.setValue(QStringLiteral("screen"), settings.screen);
 }
 
 }  // namespace ostraka::ui

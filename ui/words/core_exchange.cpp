@@ -109,7 +109,7 @@ Sentences sentencesOfExchange() {
           "%1; enter them by hand."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Joins with rows that did not enter are left out: %1; import the table "
-                        "again when these rows are mended."),
+                        "again when these rows are corrected."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This file is not among the files of the export."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

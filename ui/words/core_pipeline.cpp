@@ -265,8 +265,8 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Look at the masks, and at whether sherds were on the plate."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "%1 was taken again after its mask was mended; the strokes on the "
-                        "photograph before are left out. Look at its mask."),
+                        "%1 was retaken after its mask was edited; the strokes on the earlier "
+                        "photograph are left out. Check its mask."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The batch is not computed to its end; let the queue compute it, then its "
                         "pairs can be looked at."),

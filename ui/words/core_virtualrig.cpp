@@ -14,7 +14,7 @@ Sentences sentencesOfVirtualrig() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "width must lie between 160 and 8192 pixels and be divisible by 4."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "lookalikes are groups of two: at most half the number of sherds."),
+                        "near_duplicates are groups of two: at most half the number of sherds."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The rig needs a camera and at least four stops; calibrate it again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The virtual camera has no setting %1 of %2."),

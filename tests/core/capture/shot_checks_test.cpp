@@ -19,14 +19,14 @@ using testing::flatPicture;
 using testing::flatPlate;
 using testing::FlatScene;
 
-PlateLook lookAt(const FlatScene& scene, int camera, double degrees) {
-  const auto look = lookAtPlate(flatPicture(scene, camera, degrees, ""), flatPlate(), {});
+PlateInspection lookAt(const FlatScene& scene, int camera, double degrees) {
+  const auto look = inspectPlate(flatPicture(scene, camera, degrees, ""), flatPlate(), {});
   EXPECT_TRUE(look.has_value());
-  return look ? *look : PlateLook{};
+  return look ? *look : PlateInspection{};
 }
 
 TEST(LookAtPlate, FindsTheMarkersAndTheSherdsInTheirPlaces) {
-  const PlateLook look = lookAt({}, 1, 0);
+  const PlateInspection look = lookAt({}, 1, 0);
   EXPECT_EQ(look.width, 640);
   EXPECT_EQ(look.markers_seen, 12);
   EXPECT_EQ(look.markers_on_plate, 12);
@@ -47,14 +47,14 @@ TEST(LookAtPlate, SeesSherdsThatLieTooClose) {
   scene.width = 1280;
   scene.sherds = {{-30, 0, 15}, {4.5, 0, 15}, {-20, 60, 15}};
   const std::string picture = flatPicture(scene, 1, 0, "");
-  LookOptions options;  // the gap is 4.5 mm, the others are far away
-  const auto near = lookAtPlate(picture, flatPlate(), options);
+  InspectionOptions options;  // the gap is 4.5 mm, the others are far away
+  const auto near = inspectPlate(picture, flatPlate(), options);
   ASSERT_TRUE(near.has_value());
   ASSERT_EQ(near->sherds.size(), 3u);
   ASSERT_EQ(near->too_close.size(), 1u);
   EXPECT_EQ(near->too_close[0], std::make_pair(1, 2));  // the row at y = 60 comes first
   options.too_close_mm = 3.5;  // the outlines lie within half a pixel of the map of the true ones
-  EXPECT_TRUE(lookAtPlate(picture, flatPlate(), options)->too_close.empty());
+  EXPECT_TRUE(inspectPlate(picture, flatPlate(), options)->too_close.empty());
 }
 
 TEST(LookAtPlate, DoubtsAnOutlineThatLooksLikeTwoSherds) {
@@ -63,7 +63,7 @@ TEST(LookAtPlate, DoubtsAnOutlineThatLooksLikeTwoSherds) {
   for (const double gap :
        {-8.0, -1.0, 0.0, 0.5, 1.0, 2.0}) {  // sherds that hide each other, touch, nearly do
     scene.sherds = {{-30, 0, 15}, {gap, 0, 15}, {-20, 60, 15}};
-    const PlateLook look = lookAt(scene, 1, 0);
+    const PlateInspection look = lookAt(scene, 1, 0);
     EXPECT_EQ(look.too_close.size(), 1u) << gap;
   }
 }
@@ -94,9 +94,9 @@ TEST(CheckSide, TellsBeforeTheFlipThatOneOutlineMayBeTwoSherds) {
   scene.sherds = {{-30, 0, 15}, {-8, 0, 15}, {-20, 60, 15}};  // the neck is 0.68 of a width
   std::vector<std::vector<SidePhotograph>> photographs(1);
   for (const double degrees : {0.0, 120.0, 240.0}) {
-    auto look = lookAndMap(flatPicture(scene, 2, degrees, ""), flatPlate(), {});
+    auto look = inspectAndMap(flatPicture(scene, 2, degrees, ""), flatPlate(), {});
     ASSERT_TRUE(look.has_value());
-    photographs[0].push_back({{}, std::make_shared<const MappedLook>(std::move(*look))});
+    photographs[0].push_back({{}, std::make_shared<const MappedInspection>(std::move(*look))});
   }
   const SideCheck check = checkSide(photographs, flatPlate(), {}, {});
   EXPECT_EQ(check.sherds, 2);
@@ -109,7 +109,7 @@ TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {
   FlatScene scene;
   scene.shift_mm = 150;
   scene.sherds = {{-60, 0, 15}, {98, 0, 15}};
-  const PlateLook look = lookAt(scene, 2, 0);
+  const PlateInspection look = lookAt(scene, 2, 0);
   ASSERT_EQ(look.sherds.size(), 2u);
   EXPECT_FALSE(look.sherds[0].cut_off);
   EXPECT_TRUE(look.sherds[1].cut_off);
@@ -134,7 +134,7 @@ TEST(LookAtPlate, MeasuresTheWidthOfEdges) {
 // A picture of the plate, worse in a way that laboratories know.
 using Worsen = std::function<void(cv::Mat3b&)>;
 
-PlateLook lookAtWorse(const Worsen& worsen) {
+PlateInspection lookAtWorse(const Worsen& worsen) {
   FlatScene scene;
   scene.width = 1280;
   const std::string jpeg = flatPicture(scene, 1, 0, "");
@@ -143,9 +143,9 @@ PlateLook lookAtWorse(const Worsen& worsen) {
   std::vector<uchar> bytes;
   cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 92});
   const auto look =
-      lookAtPlate({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, flatPlate(), {});
+      inspectPlate({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, flatPlate(), {});
   EXPECT_TRUE(look.has_value());
-  return look ? *look : PlateLook{};
+  return look ? *look : PlateInspection{};
 }
 
 // Twice the stops are four times the light; pixels hold its 2.2th root.
@@ -154,8 +154,8 @@ void expose(cv::Mat3b& picture, double stops) {
 }
 
 // The corners of the worse picture against those of the good one, pixels.
-void expectMarksInPlace(const PlateLook& worse, double within_px) {
-  const PlateLook good = lookAtWorse([](cv::Mat3b&) {});
+void expectMarksInPlace(const PlateInspection& worse, double within_px) {
+  const PlateInspection good = lookAtWorse([](cv::Mat3b&) {});
   ASSERT_EQ(good.marks.size(), 12u);
   ASSERT_EQ(worse.marks.size(), 12u);
   for (const PlateMark& mark : worse.marks) {
@@ -170,14 +170,14 @@ void expectMarksInPlace(const PlateLook& worse, double within_px) {
 
 TEST(LookAtPlate, FindsTheMarkersTwoStopsTooDarkAndTwoTooBright) {
   for (const double stops : {-2.0, 2.0}) {
-    const PlateLook look = lookAtWorse([&](cv::Mat3b& picture) { expose(picture, stops); });
+    const PlateInspection look = lookAtWorse([&](cv::Mat3b& picture) { expose(picture, stops); });
     EXPECT_EQ(look.markers_seen, 12) << stops;
     expectMarksInPlace(look, 2);  // burnt-out paper eats into the black: 1.5 px of a mark's 60
   }
 }
 
 TEST(LookAtPlate, FindsTheMarkersInABlurredPicture) {
-  const PlateLook look = lookAtWorse([](cv::Mat3b& picture) {
+  const PlateInspection look = lookAtWorse([](cv::Mat3b& picture) {
     cv::GaussianBlur(picture, picture, {0, 0}, 3);
   });
   EXPECT_GE(look.markers_seen, markersNeeded(12));
@@ -185,9 +185,9 @@ TEST(LookAtPlate, FindsTheMarkersInABlurredPicture) {
 }
 
 TEST(LookAtPlate, ShowsWhereTheMarkersAreThatGlareHides) {
-  const PlateLook good = lookAtWorse([](cv::Mat3b&) {});
+  const PlateInspection good = lookAtWorse([](cv::Mat3b&) {});
   const Eigen::Vector2f at = good.marks[2].corners_px[0];
-  const PlateLook look = lookAtWorse([&](cv::Mat3b& picture) {
+  const PlateInspection look = lookAtWorse([&](cv::Mat3b& picture) {
     cv::Mat3f glare(picture.size(), cv::Vec3f(0, 0, 0));
     cv::circle(glare, cv::Point(cvRound(at.x()), cvRound(at.y())), 70, {700, 700, 700}, cv::FILLED);
     cv::GaussianBlur(glare, glare, {0, 0}, 25);
@@ -202,9 +202,9 @@ TEST(LookAtPlate, ShowsWhereTheMarkersAreThatGlareHides) {
 }
 
 TEST(LookAtPlate, ShowsWhereTheMarkersAreWithAThirdOfThemHidden) {
-  const PlateLook good = lookAtWorse([](cv::Mat3b&) {});
+  const PlateInspection good = lookAtWorse([](cv::Mat3b&) {});
   const std::vector<int> hidden{1, 4, 5, 9};
-  const PlateLook look = lookAtWorse([&](cv::Mat3b& picture) {
+  const PlateInspection look = lookAtWorse([&](cv::Mat3b& picture) {
     for (const PlateMark& mark : good.marks) {
       if (std::find(hidden.begin(), hidden.end(), mark.id) == hidden.end()) continue;
       std::vector<cv::Point> cloth;
@@ -223,14 +223,14 @@ TEST(LookAtPlate, ShowsWhereTheMarkersAreWithAThirdOfThemHidden) {
 TEST(LookAtPlate, RefusesWhatIsCutOff) {
   std::string picture = flatPicture({}, 0, 0, "");
   picture.resize(picture.size() - 200);
-  const auto look = lookAtPlate(picture, flatPlate(), {});
+  const auto look = inspectPlate(picture, flatPlate(), {});
   ASSERT_FALSE(look.has_value());
   EXPECT_EQ(look.error().code, ErrorCode::UnusableInput);
-  EXPECT_FALSE(lookAtPlate("", flatPlate(), {}).has_value());
+  EXPECT_FALSE(inspectPlate("", flatPlate(), {}).has_value());
 }
 
 TEST(TurnBetween, IsTheTableTurnWithoutAnyCalibration) {
-  const PlateLook start = lookAt({}, 0, 10);
+  const PlateInspection start = lookAt({}, 0, 10);
   for (const double turn : {0.0, 1.0, 45.0, 90.0, 170.0, -120.0}) {
     const auto seen = turnBetween_deg(start, lookAt({}, 0, 10 + turn));
     ASSERT_TRUE(seen.has_value());
@@ -252,7 +252,7 @@ TEST(Judge, TellsAPhotographOfAnotherStop) {
 }
 
 TEST(Judge, TellsLightThatDoesNotSuffice) {
-  PlateLook look = lookAt({}, 0, 0);
+  PlateInspection look = lookAt({}, 0, 0);
   look.dark_share = 0.5;
   look.bright_share = 0.1;
   const ShotCheck check = judge(look, 0, {}, {});
@@ -264,9 +264,9 @@ TEST(Judge, TellsLightThatDoesNotSuffice) {
 
 TEST(Judge, AsksAgainWhenMarkersAreHidden) {
   CameraReference reference;
-  const PlateLook open = lookAt({}, 0, 0);
+  const PlateInspection open = lookAt({}, 0, 0);
   learn(reference, open, 0);
-  PlateLook hidden = open;
+  PlateInspection hidden = open;
   hidden.markers_seen = 5;
   EXPECT_TRUE(judge(hidden, 0, reference, {}).again());
   hidden.markers_seen = 6;

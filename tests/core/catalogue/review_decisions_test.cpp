@@ -360,7 +360,7 @@ TEST_F(ResultsOfDecisions, WhatWasDecidedInTheCatalogueStays) {
   taken(DecisionKind::Reshoot, {front(1)});
   taken(DecisionKind::Withdraw, {}, {1});
   now_ms = 4'102'444'800'000;  // 1 January 2100
-  const Act other{*catalogue().personByInitials("MH", anna), "import", {}};
+  const Provenance other{*catalogue().personByInitials("MH", anna), "import", {}};
   own.note = "decision 1";  // the same by an earlier program, of another person
   ASSERT_TRUE(catalogue().decide(own, other));
   computed("second", {300, 400});

@@ -59,7 +59,7 @@ TEST_F(Changes, CanBeUndoneAndDoneAgainWithTheirHistory) {
     EXPECT_EQ(valueOf(b, field.name), textOf(before_b, field.name)) << field.name;
   }
   EXPECT_EQ(valueOf(b, "extra.drawer"), "");
-  EXPECT_GT(catalogue().history(a)->size(), history) << "undoing is an act of its own";
+  EXPECT_GT(catalogue().history(a)->size(), history) << "undoing is an provenance of its own";
   ASSERT_TRUE(catalogue().change(*redo, anna));
   EXPECT_EQ(valueOf(a, "ware"), "grey");
   EXPECT_EQ(valueOf(b, "bag"), "1");

@@ -98,7 +98,7 @@ TEST_F(Sherds, HistoryTellsWhoChangedWhatAndWhy) {
   EXPECT_EQ(newest.new_value, "grey");
   EXPECT_EQ(newest.why, "seen again");
   EXPECT_EQ(newest.source, "window");
-  EXPECT_EQ(newest.at_ms, catalogue().sherd(sherd)->updated_ms - 1) << "of the same act";
+  EXPECT_EQ(newest.at_ms, catalogue().sherd(sherd)->updated_ms - 1) << "of the same provenance";
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class SmallProject : public ::testing::Test {
     record.code = "ARM";
     record.title = "Trial";
     Result<Project> made = Project::create(folder_.path() / "project", record, [this] {
-      return now_ms += 1;  // every act has a time of its own
+      return now_ms += 1;  // every provenance has a time of its own
     });
     if (!made) throw std::runtime_error(made.error().sentence());
     project_ = std::make_unique<Project>(std::move(*made));
@@ -128,7 +128,7 @@ class SmallProject : public ::testing::Test {
   std::int64_t now_ms = 1'790'000'000'000;  // 21 September 2026
   TemporaryFolder folder_;
   std::unique_ptr<Project> project_;
-  Act anna;
+  Provenance anna;
   SiteRow site;
   TrenchRow trench;
   ContextRow context12, context13;

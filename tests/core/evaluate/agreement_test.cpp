@@ -232,7 +232,7 @@ TEST(Agreement, OfOneSidesCloud) {
   const auto ours = evaluateCloud(cloud, truth, {.threads = 2});
   ASSERT_TRUE(ours.has_value());
   EXPECT_EQ(ours->points, theirs["points"]);
-  EXPECT_NEAR(ours->stray_percent, theirs["stray_pct"], 1e-9);
+  EXPECT_NEAR(ours->outlier_percent, theirs["stray_pct"], 1e-9);
   for (const auto& [part, name] :
        {std::pair(&ours->flat, "flat"), std::pair(&ours->strip, "strip")}) {
     const Json& row = theirs[name];

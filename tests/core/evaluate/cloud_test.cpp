@@ -29,7 +29,7 @@ TEST(EvaluateCloud, MeasuresHowFatStripAndFlatAre) {
   EXPECT_NEAR(*figures->strip.sd_mm, 0, 1e-3);
   EXPECT_NEAR(*figures->strip.normal_deg, 0, 0.1);
   EXPECT_GT(*figures->strip.covered_percent, 98.5);
-  EXPECT_EQ(figures->stray_percent, 0);
+  EXPECT_EQ(figures->outlier_percent, 0);
   EXPECT_FALSE(figures->goals_met);  // the flat is 0.05 mm off, 0.02 is allowed
   EXPECT_TRUE(evaluateCloud(cloudOf(box, 0.0), std::vector{box}, {.threads = 2})->goals_met);
 }
@@ -44,7 +44,7 @@ TEST(EvaluateCloud, CountsPointsFarFromEverySherdAsStray) {
   }
   const auto figures = evaluateCloud(cloud, std::vector{box}, {.threads = 2});
   ASSERT_TRUE(figures.has_value());
-  EXPECT_NEAR(figures->stray_percent, 25, 0.01);
+  EXPECT_NEAR(figures->outlier_percent, 25, 0.01);
 }
 
 TEST(EvaluateCloud, SeesThatHalfTheStripIsMissing) {

@@ -164,15 +164,15 @@ TEST_F(Archive, AnExportOnAFullDiskNamesTheExport) {
   EXPECT_THAT(full.error().where, testing::StartsWith(at("out").string()));
 }
 
-// Calls back with how often it was asked, to act between the check of a bag and its use.
+// Calls back with how often it was asked, to provenance between the check of a bag and its use.
 class Between final : public Progress {
  public:
-  explicit Between(std::function<void(int)> act) : act_(std::move(act)) {}
-  void report(std::int64_t, std::int64_t) override { act_(++times_); }
+  explicit Between(std::function<void(int)> provenance) : provenance_(std::move(provenance)) {}
+  void report(std::int64_t, std::int64_t) override { provenance_(++times_); }
   void note(NoteLevel, std::string_view) override {}
 
  private:
-  std::function<void(int)> act_;
+  std::function<void(int)> provenance_;
   int times_ = 0;
 };
 

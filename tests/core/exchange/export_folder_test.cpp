@@ -37,17 +37,18 @@ TEST_F(Export, HoldsEverythingThatWasChosenWithItsChecksum) {
 // At the first report after the manifests are written.
 class AtTheCheck final : public Progress {
  public:
-  AtTheCheck(fs::path target, std::function<void(const fs::path&)> act)
-      : target_(std::move(target)), act_(std::move(act)) {}
+  AtTheCheck(fs::path target, std::function<void(const fs::path&)> provenance)
+      : target_(std::move(target)), provenance_(std::move(provenance)) {}
   void report(std::int64_t, std::int64_t) override {
     for (const fs::path& there : {target_, fs::path(target_.string() + ".partial/content")})
-      if (act_ && fs::exists(there / "tagmanifest-sha256.txt")) std::exchange(act_, {})(there);
+      if (provenance_ && fs::exists(there / "tagmanifest-sha256.txt"))
+        std::exchange(provenance_, {})(there);
   }
   void note(NoteLevel, std::string_view) override {}
 
  private:
   fs::path target_;
-  std::function<void(const fs::path&)> act_;
+  std::function<void(const fs::path&)> provenance_;
 };
 
 // Edits once, when the first file is copied.

@@ -369,15 +369,16 @@ std::string manyRows(int count) {
 // Calls for something as soon as so many rows were read.
 class At final : public Progress {
  public:
-  At(std::int64_t row, std::function<void()> act) : row_(row), act_(std::move(act)) {}
+  At(std::int64_t row, std::function<void()> provenance)
+      : row_(row), provenance_(std::move(provenance)) {}
   void report(std::int64_t done, std::int64_t) override {
-    if (done >= row_ && act_) std::exchange(act_, nullptr)();
+    if (done >= row_ && provenance_) std::exchange(provenance_, nullptr)();
   }
   void note(NoteLevel, std::string_view) override {}
 
  private:
   std::int64_t row_;
-  std::function<void()> act_;
+  std::function<void()> provenance_;
 };
 
 TEST_F(Import, ThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {

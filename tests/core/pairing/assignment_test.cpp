@@ -61,7 +61,7 @@ TEST(AssignPairs, FlagsAPairWhoseSecondPoseFitsNearlyAsWell) {
 
 TEST(AssignPairs, FlagsASlippedPair) {
   std::vector<Evidence> evidence = {pair(0, 0, 20)};
-  evidence[0].slipped = true;
+  evidence[0].check_failed = true;
   EXPECT_TRUE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous);
 }
 
@@ -145,10 +145,11 @@ TEST(Regrets, AgreeWithTryingAllAssignments) {
 
 TEST(JointLogLikelihood, IsHeldDownByTheWeakerWitness) {
   // With 100 scans the prior is even: 0.1 * 0.1 * 100 = 1.
-  // A certain outline, an undecided fracture: a look-alike (1 in 50) remains possible, odds 50
+  // A certain outline, an undecided fracture: a near-duplicate (1 in 50) remains possible, odds 50
   // to 1.
   EXPECT_NEAR(jointLogLikelihood(100, 0, 100), std::log(50.0), 1e-9);
-  // An undecided outline keeps the pair undecided however well the fractures of look-alikes part.
+  // An undecided outline keeps the pair undecided however well the fractures of near-duplicates
+  // part.
   EXPECT_NEAR(jointLogLikelihood(0, 100, 100), -std::log(0.98), 1e-9);
   EXPECT_NEAR(jointLogLikelihood(100, 50, 8) - jointLogLikelihood(100, 50, 1), -std::log(8.0),
               1e-9);

@@ -217,22 +217,22 @@ TEST_F(DecisionsOf, SayTheSameWhoeverTookThemAndWhenever) {
   one.front_from_back = Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
   PairDecision other = append(one);
   other.by = "MH";
-  EXPECT_TRUE(saysTheSame(one, other));
+  EXPECT_TRUE(equivalent(one, other));
   other.front_from_back->translation().x() += 0.01;
-  EXPECT_FALSE(saysTheSame(one, other)) << "another pose";
+  EXPECT_FALSE(equivalent(one, other)) << "another pose";
   other.front_from_back.reset();
-  EXPECT_FALSE(saysTheSame(one, other)) << "a pose that the program finds";
+  EXPECT_FALSE(equivalent(one, other)) << "a pose that the program finds";
   PairDecision cut;
   cut.kind = DecisionKind::Split;
   cut.scans = {front(1)};
   cut.cut_mm = {Eigen::Vector2d(40, 0), Eigen::Vector2d(60, 0)};
   PairDecision elsewhere = cut;
-  EXPECT_TRUE(saysTheSame(cut, elsewhere));
+  EXPECT_TRUE(equivalent(cut, elsewhere));
   elsewhere.cut_mm[1].y() = 5;
-  EXPECT_FALSE(saysTheSame(cut, elsewhere));
+  EXPECT_FALSE(equivalent(cut, elsewhere));
   PairDecision photographed_again = cut;
   photographed_again.scans[0].photographs = "second";
-  EXPECT_FALSE(saysTheSame(cut, photographed_again));
+  EXPECT_FALSE(equivalent(cut, photographed_again));
 }
 
 // What the results follow is told by their report, not by the age of files.

@@ -270,7 +270,7 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
     strokes.push_back(stroke);
   }
   ASSERT_TRUE(writeMaskStrokes(out, strokes).has_value());
-  EXPECT_EQ(maskFolder(out, batch::Side::Front), "masks_front") << "nothing is mended yet";
+  EXPECT_EQ(maskFolder(out, batch::Side::Front), "masks_front") << "nothing is edited yet";
   EXPECT_TRUE(masksWantComputing(out));
   EXPECT_TRUE(wantsComputing(out));
   const auto points = [&](const std::string& number) {
@@ -280,7 +280,7 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   const double first_before = points("01"), second_before = points("02");
   ASSERT_TRUE(process(out, 1, quiet).has_value());
   EXPECT_FALSE(masksWantComputing(out));
-  EXPECT_EQ(maskFolder(out, batch::Side::Front), "mended_front");
+  EXPECT_EQ(maskFolder(out, batch::Side::Front), "edited_front");
   EXPECT_EQ(maskFolder(out, batch::Side::Back), "masks_back");
   const std::string log = *readFile(out / "log.txt");
   const std::string last = log.substr(log.rfind("rig: whole from an earlier run"));

@@ -155,7 +155,7 @@ SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& o
   photograph(back, backs, work / "masks_back" / "back.png");
   (void)rig::writeCameras(work / "rig" / "cameras.json", {front, back});
 
-  // The outlines of look-alikes lie on each other: the pose of one is the other's, moved.
+  // The outlines of near-duplicates lie on each other: the pose of one is the other's, moved.
   const auto across = [&](int f, int b) {
     const Isometry3d& own = out.front_from_back[static_cast<std::size_t>(b)];
     const ScanRef &from = out.table.fronts[static_cast<std::size_t>(b)],

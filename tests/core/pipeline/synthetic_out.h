@@ -23,7 +23,7 @@ struct SyntheticOptions {
 
 /// A small OUT folder as processBatch leaves it, without computing one: round sherds of 20 to 30 mm
 /// in rows on the plate, seen by one camera from above on each side, with what the pairs stage says
-/// about them made up: all are sure but the look-alikes. In well under a second.
+/// about them made up: all are sure but the near-duplicates. In well under a second.
 SyntheticOut writeSyntheticOut(const std::filesystem::path& output,
                                const SyntheticOptions& options);
 

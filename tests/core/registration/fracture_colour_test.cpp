@@ -59,7 +59,7 @@ TEST(FractureColour, HoldsASmoothRoundSherdAlongItsContour) {
   };
   const auto plain = run(sherd, start);
   ASSERT_TRUE(plain.has_value());
-  EXPECT_TRUE(plain->slipped);  // the shape does not tell where it belongs
+  EXPECT_TRUE(plain->check_failed);  // the shape does not tell where it belongs
 
   paint(sherd, 0, 0);
   const auto painted = run(sherd, start);
@@ -107,7 +107,7 @@ TEST(FractureColour, FindsHowFarARoundSherdIsTurned) {
   const auto found = run(sherd, turned(sherd, 2.0));
   ASSERT_TRUE(found.has_value());
   EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.2);  // half their spacing
-  EXPECT_FALSE(found->slipped) << found->reason;
+  EXPECT_FALSE(found->check_failed) << found->reason;
 }
 
 TEST(FractureColour, ChooseBetweenStartsThatFitAlike) {
@@ -129,7 +129,7 @@ TEST(FractureColour, OfAnotherClayFindsNoTurn) {
   paint(sherd, 0, 1.7);
   const auto found = run(sherd, turned(sherd, 2.0));
   ASSERT_TRUE(found.has_value());
-  EXPECT_TRUE(found->slipped);
+  EXPECT_TRUE(found->check_failed);
 }
 
 TEST(FractureColour, IsLikelierAtTheTruePoseThanBesideIt) {
@@ -148,7 +148,7 @@ TEST(FractureColour, OfAnotherClayLeavesASmoothSherdUncertain) {
   paint(sherd, 0, 1.7);
   const auto found = run(sherd, turned(sherd, 0.02));
   ASSERT_TRUE(found.has_value());
-  EXPECT_TRUE(found->slipped);
+  EXPECT_TRUE(found->check_failed);
 }
 
 TEST(FractureColour, MovedByLightFromAboveHardlyMovesTheHeight) {

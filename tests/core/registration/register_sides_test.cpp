@@ -35,7 +35,7 @@ TEST(RegisterSides, FindsTheKnownPoseFromMillimetresOff) {
   const auto found = run(sherd.front, sherd.back, {startOff(sherd, 1.5, 0.05)});
   ASSERT_TRUE(found.has_value()) << found.error().what;
   EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.05);
-  EXPECT_FALSE(found->slipped) << found->reason;
+  EXPECT_FALSE(found->check_failed) << found->reason;
   EXPECT_LT(found->uncertainty_mm, 0.1);
   EXPECT_NEAR(found->thickness_mm, 5.0, 0.12);
   EXPECT_GT(found->log_likelihood, 2.0);
@@ -108,7 +108,7 @@ TEST(RegisterSides, SidesThatDoNotMeetAreNoMoreUncertainThanTheyAreLarge) {
   start.pretranslate(Eigen::Vector3d(100, 0, 0));
   const auto found = run(sherd.front, sherd.back, {start}, {}, false);
   ASSERT_TRUE(found.has_value()) << found.error().sentence();
-  EXPECT_TRUE(found->slipped);
+  EXPECT_TRUE(found->check_failed);
   EXPECT_GT(found->uncertainty_mm, 1) << "a start's height";
   EXPECT_LT(found->uncertainty_mm, 45) << "the sherd's size";
 }
@@ -150,8 +150,8 @@ TEST(RegisterSides, ASmoothRoundSherdThatSlidIsCalledSlipped) {
     const auto found = registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
                                      constraints, {}, progress, {});
     ASSERT_TRUE(found);
-    EXPECT_TRUE(found->slipped) << slid_mm << " mm: uncertain by " << found->uncertainty_mm
-                                << ", rival " << found->runner_up_gap << " below";
+    EXPECT_TRUE(found->check_failed) << slid_mm << " mm: uncertain by " << found->uncertainty_mm
+                                     << ", rival " << found->runner_up_gap << " below";
   }
 }
 

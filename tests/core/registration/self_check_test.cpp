@@ -33,7 +33,7 @@ class SelfCheck : public testing::Test {
 
 TEST_F(SelfCheck, AGoodRegistrationPasses) {
   const Registration r = judged(good);
-  EXPECT_FALSE(r.slipped) << r.reason;
+  EXPECT_FALSE(r.check_failed) << r.reason;
   EXPECT_NEAR(r.thickness_mm, 5.0, 0.05);
   EXPECT_EQ(r.crossing_share, 0.0);
 }
@@ -42,27 +42,27 @@ TEST_F(SelfCheck, FacesThatCrossAreFlagged) {
   Registration r = good;
   r.front_from_back.pretranslate(Vector3d(0, 0, 6));
   r = judged(r);
-  EXPECT_TRUE(r.slipped);
+  EXPECT_TRUE(r.check_failed);
   EXPECT_GT(r.crossing_share, 0.95);
 }
 
 TEST_F(SelfCheck, UpsideDownIsFlagged) {
   Registration r = good;
   r.front_from_back.rotate(Eigen::AngleAxisd(3.14159265, Vector3d::UnitX()));
-  EXPECT_TRUE(judged(r).slipped);
+  EXPECT_TRUE(judged(r).check_failed);
 }
 
 TEST_F(SelfCheck, APoseThatTheFractureHardlyFixesIsFlagged) {
   Registration r = good;
   r.uncertainty_mm = 1.0;
-  EXPECT_TRUE(judged(r).slipped);
+  EXPECT_TRUE(judged(r).check_failed);
   r = good;
   r.runner_up_gap = 0.1;
   r.runner_up_mm = 2;
-  EXPECT_TRUE(judged(r).slipped);
+  EXPECT_TRUE(judged(r).check_failed);
   r = good;
   r.fracture_overlap = 0;
-  EXPECT_TRUE(judged(r).slipped);
+  EXPECT_TRUE(judged(r).check_failed);
 }
 
 // Such a pair may well be right, but not without a word of how little holds it.
@@ -70,12 +70,12 @@ TEST_F(SelfCheck, APairThatSharesLittleOfItsBrokenEdgeIsFlaggedWithTheShare) {
   Registration r = good;
   r.fracture_overlap = 0.15;
   r = judged(r);
-  EXPECT_TRUE(r.slipped);
-  EXPECT_EQ(r.slip, Slip::NoSharedFracture);
+  EXPECT_TRUE(r.check_failed);
+  EXPECT_EQ(r.failed_check, FailedCheck::NoSharedFracture);
   EXPECT_EQ(r.reason, "The two scans share only 15 % of the broken edge.");
   r = good;
   r.fracture_overlap = 0.25;
-  EXPECT_FALSE(judged(r).slipped) << r.reason;
+  EXPECT_FALSE(judged(r).check_failed) << r.reason;
 }
 
 TEST(FractureLikelihood, TellsTruePairsFromLookAlikesOnCleanScans) {

@@ -10,30 +10,30 @@
 namespace ostraka::virtualrig {
 namespace {
 
-Room oneLamp(double half_width) {
-  Room room;
-  for (Light& light : room.lights)
+Lighting oneLamp(double half_width) {
+  Lighting lighting;
+  for (Light& light : lighting.lights)
     light = softbox(0, 1, 500, half_width, half_width, Eigen::Vector3f::Zero());
-  room.lights[0].strength = Eigen::Vector3f::Constant(0.6f);
-  room.sky = Eigen::Vector3f::Zero();
-  return room;
+  lighting.lights[0].strength = Eigen::Vector3f::Constant(0.6f);
+  lighting.sky = Eigen::Vector3f::Zero();
+  return lighting;
 }
 
 // Light that comes to an eye at this elevation, opposite of the lamp, which stands at one radian.
-float seen(const Room& room, double elevation, float roughness) {
+float seen(const Lighting& lighting, double elevation, float roughness) {
   const Eigen::Vector3f eye(static_cast<float>(-std::cos(elevation)), 0,
                             static_cast<float>(std::sin(elevation)));
-  return highlights(room, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), eye, {1, 1, 1},
+  return highlights(lighting, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), eye, {1, 1, 1},
                     {1, roughness})
       .y();
 }
 
 TEST(Gloss, ALampIsMirroredWhereItsRayLeavesAndFadesBesideIt) {
-  const Room room = oneLamp(20);
-  const float peak = seen(room, 1, 0.15f);
-  EXPECT_GT(peak, 5 * seen(room, 0.4, 0.15f));
-  EXPECT_GT(peak, 5 * seen(room, 1.5, 0.15f));
-  EXPECT_GT(peak, 3 * seen(room, 1, 0.4f)) << "rougher layers spread it";
+  const Lighting lighting = oneLamp(20);
+  const float peak = seen(lighting, 1, 0.15f);
+  EXPECT_GT(peak, 5 * seen(lighting, 0.4, 0.15f));
+  EXPECT_GT(peak, 5 * seen(lighting, 1.5, 0.15f));
+  EXPECT_GT(peak, 3 * seen(lighting, 1, 0.4f)) << "rougher layers spread it";
 }
 
 // A mirror shows the lamp as bright as it is: pi E / solid angle, times what glass reflects.
@@ -81,14 +81,14 @@ TEST(PlateSurface, IsOfFourColoursFromDarkToWhite) {
   }
 }
 
-TEST(Room, EveryKindOfLightReachesTheSheet) {
+TEST(Lighting, EveryKindOfLightReachesTheSheet) {
   for (const LightKind kind :
        {LightKind::Window, LightKind::Lamp, LightKind::Flash, LightKind::Overcast, LightKind::Sun})
     for (int seed = 0; seed < 20; ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
-      const Room room = makeRoom(kind, random);
-      const Eigen::Vector3f light = room.sky + directLight(room, Eigen::Vector3f::Zero(),
-                                                           Eigen::Vector3f::UnitZ(), {1, 1, 1});
+      const Lighting lighting = makeLighting(kind, random);
+      const Eigen::Vector3f light = lighting.sky + directLight(lighting, Eigen::Vector3f::Zero(),
+                                                               Eigen::Vector3f::UnitZ(), {1, 1, 1});
       EXPECT_GT(light.minCoeff(), 0.25f);
       EXPECT_LT(light.maxCoeff(), 1.2f);
       // White balance has something to do, and not too much: lamps are warmest.
@@ -96,15 +96,16 @@ TEST(Room, EveryKindOfLightReachesTheSheet) {
     }
 }
 
-TEST(Room, AFlashGoesWithTheCamera) {
+TEST(Lighting, AFlashGoesWithTheCamera) {
   Random random(1);
-  const Room room = makeRoom(LightKind::Flash, random);
+  const Lighting lighting = makeLighting(LightKind::Flash, random);
   HandHeldOptions hand;
   hand.photographs = 3;
   const CameraModel model = cameraModel(CameraKind::Phone, random);
   for (const FreeShot& shot : walkAround(hand, model, 640, random)) {
     const Eigen::Vector3d eye = shot.camera_from_plate.inverse().translation();
-    EXPECT_NEAR((withFlash(room, shot.camera_from_plate).lights[0].centre - eye).norm(), 15, 0.1);
+    EXPECT_NEAR((withFlash(lighting, shot.camera_from_plate).lights[0].centre - eye).norm(), 15,
+                0.1);
   }
 }
 

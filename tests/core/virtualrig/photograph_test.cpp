@@ -13,13 +13,13 @@ namespace {
 TEST(Photograph, ShowsTheMarkersWhereTheTrueCameraProjectsThem) {
   Random random(21);
   const VirtualRig rig = makeRig(1000, 4, random);
-  const Room room = makeRoom(random);
+  const Lighting lighting = makeLighting(random);
   const PlateSurface surface(PlateColor::Grey, 3);
   const std::vector<VirtualSherd> none;
   const Scene scene(none, {});
   const int stop = 1;
-  const Room room_plate = turned(room, rig.angles_rad[stop]);
-  const AmbientField ambient = gatherAmbient(scene, room, surface, 1, {.threads = 1});
+  const Lighting room_plate = turned(lighting, rig.angles_rad[stop]);
+  const AmbientField ambient = gatherAmbient(scene, lighting, surface, 1, {.threads = 1});
   const LightField light = castShadows(scene, room_plate, 2, 1);
   const batch::Plate plate = standardPlate();
   for (int camera = 0; camera < kCameras; ++camera) {

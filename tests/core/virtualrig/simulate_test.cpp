@@ -203,9 +203,9 @@ TEST(SimulateOptions, NameTheFieldThatCannotBe) {
   options.width = 321;
   EXPECT_NE(options.check().error().what.find("width"), std::string::npos);
   options = tiny("x");
-  options.lookalikes = 2;
+  options.near_duplicates = 2;
   EXPECT_NE(options.check().error().what.find("lookalikes"), std::string::npos);
-  options.lookalikes = 0;
+  options.near_duplicates = 0;
   options.scans_only = true;
   options.fault = Fault::Blur;
   EXPECT_NE(options.check().error().what.find("fault is about photographs"), std::string::npos);

@@ -13,7 +13,7 @@
 
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/import_ask.h"
 #include "ui/frame/message_panel.h"
@@ -40,17 +40,17 @@ class CaptureImportTest : public QObject {
     session_ = std::make_unique<ProjectSession>(
         std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
     wizard_ = std::make_unique<CaptureWizard>();
-    station_ = std::make_unique<CaptureStation>(wizard_.get());
-    station_->resize(1200, 640);
-    station_->openProject(*session_);
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-    station_->setInFront(true);
+    screen_ = std::make_unique<CaptureScreen>(wizard_.get());
+    screen_->resize(1200, 640);
+    screen_->openProject(*session_);
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    screen_->setInFront(true);
   }
   void cleanup() {
-    station_->closeProject();
-    station_.reset();
+    screen_->closeProject();
+    screen_.reset();
     wizard_.reset();
     session_.reset();
   }
@@ -61,7 +61,7 @@ class CaptureImportTest : public QObject {
     photographs("backs", 3);
     QVERIFY(virtualrig::writePlateAndBoard(disk_->path().toStdString()).has_value());
     drop({disk_->filePath("fronts"), disk_->filePath("backs")});
-    auto* ask = station_->findChild<ImportAsk*>();
+    auto* ask = screen_->findChild<ImportAsk*>();
     QTRY_VERIFY(ask->isVisible());
     QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_3.jpg"));
     QVERIFY(child<QLabel>("importBack")->text().contains("IMG_0.jpg to IMG_2.jpg"));
@@ -70,7 +70,7 @@ class CaptureImportTest : public QObject {
     QTest::mouseClick(child<QPushButton>("importSwap"), Qt::LeftButton);
     QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_2.jpg"));
     QTest::mouseClick(child<QPushButton>("importSwap"), Qt::LeftButton);
-    QSignalSpy imported(station_->importer(), &BatchImporter::imported);
+    QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
     QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
     QTRY_COMPARE(imported.count(), 1);
     const auto batch = session_->project().catalogue().batchByNumber("B0001");
@@ -81,7 +81,7 @@ class CaptureImportTest : public QObject {
   void aSeriesWithoutAPauseIsDividedByAPersonOrImportedAsOneSide() {
     photographs("series", 8);
     drop({disk_->filePath("series")});
-    auto* ask = station_->findChild<ImportAsk*>();
+    auto* ask = screen_->findChild<ImportAsk*>();
     QTRY_VERIFY(ask->isVisible());
     auto* start = child<QPushButton>("importStart");
     auto* where = child<QSlider>("importDivide");
@@ -120,14 +120,14 @@ class CaptureImportTest : public QObject {
     };
     QVERIFY(std::filesystem::remove(simulate.output / "plate.json"));
     drop({disk_->filePath("batch/front"), disk_->filePath("batch/back")});
-    auto* ask = station_->findChild<ImportAsk*>();
+    auto* ask = screen_->findChild<ImportAsk*>();
     QTRY_VERIFY(ask->isVisible());
     auto* marker = child<QDoubleSpinBox>("importMarker");
     QVERIFY(marker->isVisible());
     QVERIFY(child<QLabel>("importSheet")->text().contains("no scale"));
     marker->setValue(side(*described));
     QVERIFY(child<QLabel>("importSheet")->text().contains("will be found"));
-    QSignalSpy imported(station_->importer(), &BatchImporter::imported);
+    QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
     QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, 60'000);
     const auto found = batch::readPlate(session_->project().batchFolder("B0001") / "plate.json");
@@ -145,7 +145,7 @@ class CaptureImportTest : public QObject {
     photographs("backs", 4);
     QVERIFY(virtualrig::writePlateAndBoard(disk_->path().toStdString()).has_value());
     drop({disk_->filePath("fronts"), disk_->filePath("backs")});
-    QTRY_VERIFY(station_->findChild<ImportAsk*>()->isVisible());
+    QTRY_VERIFY(screen_->findChild<ImportAsk*>()->isVisible());
     QVERIFY(!child<QDoubleSpinBox>("importMarker")->isVisible());
     QTest::mouseClick(child<QPushButton>("importClearSheet"), Qt::LeftButton);
     QVERIFY(child<QDoubleSpinBox>("importMarker")->isVisible());
@@ -159,7 +159,7 @@ class CaptureImportTest : public QObject {
     QTRY_VERIFY(shownMessage() != nullptr);
     QVERIFY(shownMessage()->words().contains("no photographs") ||
             shownMessage()->headline().contains("no photographs"));
-    QVERIFY(!station_->findChild<ImportAsk*>()->isVisible());
+    QVERIFY(!screen_->findChild<ImportAsk*>()->isVisible());
   }
 
  private:
@@ -177,30 +177,30 @@ class CaptureImportTest : public QObject {
     QList<QUrl> urls;
     for (const QString& folder : folders) urls << QUrl::fromLocalFile(folder);
     data.setUrls(urls);
-    QVERIFY(station_->acceptDrops());
+    QVERIFY(screen_->acceptDrops());
     QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(station_.get(), &enter);
+    QCoreApplication::sendEvent(screen_.get(), &enter);
     QVERIFY(enter.isAccepted());
     QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(station_.get(), &event);
+    QCoreApplication::sendEvent(screen_.get(), &event);
   }
 
   MessagePanel* shownMessage() {
-    for (auto* panel : station_->findChildren<MessagePanel*>())
+    for (auto* panel : screen_->findChildren<MessagePanel*>())
       if (panel->isVisible()) return panel;
     return nullptr;
   }
 
   template <class T>
   T* child(const char* name) {
-    return station_->findChild<T*>(QString::fromLatin1(name));
+    return screen_->findChild<T*>(QString::fromLatin1(name));
   }
 
   InlineJobRunner jobs_;
   std::unique_ptr<QTemporaryDir> folder_, disk_;
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<CaptureWizard> wizard_;
-  std::unique_ptr<CaptureStation> station_;
+  std::unique_ptr<CaptureScreen> screen_;
 };
 
 QTEST_MAIN(CaptureImportTest)

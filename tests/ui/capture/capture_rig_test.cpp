@@ -8,7 +8,7 @@
 
 #include "catalogue/project.h"
 #include "fake_rig.h"
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/message_panel.h"
@@ -24,7 +24,7 @@ class CaptureRigTest : public QObject {
  private:
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(name);
+    T* found = screen_->findChild<T*>(name);
     if (!found) qFatal("no %s", name);
     return found;
   }
@@ -42,17 +42,17 @@ class CaptureRigTest : public QObject {
         std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
     rig_ = std::make_unique<FakeRig>();
     wizard_ = std::make_unique<CaptureWizard>();
-    station_ = std::make_unique<CaptureStation>(wizard_.get());
-    station_->resize(1200, 640);
-    station_->openProject(*session_);
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-    station_->setInFront(true);
+    screen_ = std::make_unique<CaptureScreen>(wizard_.get());
+    screen_->resize(1200, 640);
+    screen_->openProject(*session_);
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    screen_->setInFront(true);
   }
   void cleanup() {
-    station_->closeProject();
-    station_.reset();
+    screen_->closeProject();
+    screen_.reset();
     wizard_.reset();
     session_.reset();
   }
@@ -70,7 +70,7 @@ class CaptureRigTest : public QObject {
     const std::string before = *session_->project().catalogue().setting("rig");
     child<QAction>("changeRig")->trigger();
     QTRY_COMPARE(wizard_->phase(), CapturePhase::NoRig);
-    emit station_->findChild<RigPage*>()->chosen(choice);
+    emit screen_->findChild<RigPage*>()->chosen(choice);
     auto* failure = child<MessagePanel>("captureFailure");
     QTRY_VERIFY(failure->isVisible());
     QVERIFY2(failure->headline().contains("RIG.json"), qPrintable(failure->headline()));
@@ -78,21 +78,21 @@ class CaptureRigTest : public QObject {
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QCOMPARE(child<QLabel>("captureHeadline")->text(),
              QStringLiteral("Lay the sherds on the plate"));
-    QCOMPARE(station_->rigWords(), QStringLiteral("ready"));
+    QCOMPARE(screen_->rigWords(), QStringLiteral("ready"));
     QCOMPARE(*session_->project().catalogue().setting("rig"), before);
     QTest::mouseClick(failure->act(), Qt::LeftButton);
     QVERIFY(!failure->isVisible());
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
   }
 
   // Whatever screen the person is on.
   void theStatusBarSaysThatThePlateIsPhotographed() {
-    const QSignalSpy working(station_.get(), &Station::working);
+    const QSignalSpy working(screen_.get(), &Screen::working);
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QCOMPARE(working.count(), 0);
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QVERIFY(working.count() > 1);
     QVERIFY2(working.front().front().toString().startsWith("Photographing the fronts"),
@@ -106,7 +106,7 @@ class CaptureRigTest : public QObject {
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<FakeRig> rig_;
   std::unique_ptr<CaptureWizard> wizard_;
-  std::unique_ptr<CaptureStation> station_;
+  std::unique_ptr<CaptureScreen> screen_;
 };
 
 QTEST_MAIN(CaptureRigTest)

@@ -8,7 +8,7 @@
 #include "catalogue/label_codes.h"
 #include "catalogue/typed_numbers.h"
 #include "flat_rig.h"
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/message_panel.h"
 
@@ -23,18 +23,18 @@ class CaptureTypingTest : public QObject {
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     bench_ = std::make_unique<Bench>(folder_->filePath("p").toStdString(), jobs_);
-    station_ = std::make_unique<CaptureStation>(&bench_->wizard);
-    station_->resize(1200, 640);
-    station_->openProject(bench_->session);
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-    station_->setInFront(true);
+    screen_ = std::make_unique<CaptureScreen>(&bench_->wizard);
+    screen_->resize(1200, 640);
+    screen_->openProject(bench_->session);
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    screen_->setInFront(true);
     QVERIFY(bagRowOf(rows(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
   }
   void cleanup() {
-    station_->closeProject();
-    station_.reset();
+    screen_->closeProject();
+    screen_.reset();
     bench_.reset();
   }
 
@@ -43,7 +43,7 @@ class CaptureTypingTest : public QObject {
     wizard().setRig(source);
     shootTheFronts();
     bench_->rig.refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer.", "rig"};
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* fault = child<MessagePanel>("captureFault");
     QTRY_VERIFY(fault->isVisible());
     typeHalfABag();
@@ -61,7 +61,7 @@ class CaptureTypingTest : public QObject {
     bench_->rig.back = 8;  // of nine
     wizard().setRig(sourceOf(bench_->rig));
     shootTheFronts();
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* doubts = child<MessagePanel>("captureDoubts");
     QTRY_VERIFY(doubts->isVisible());
     typeHalfABag();
@@ -84,7 +84,7 @@ class CaptureTypingTest : public QObject {
     line->setFocus();
     QTest::keyClicks(line, "7");
     const catalogue::BatchRow batch = bench_->batch().row;
-    station_->closeProject();
+    screen_->closeProject();
     const auto typed = catalogue::typedNumbers(rows(), batch);
     QVERIFY(typed.has_value());
     QCOMPARE(typed->size(), std::size_t{1});
@@ -124,7 +124,7 @@ class CaptureTypingTest : public QObject {
     QVERIFY(told->words().contains("ARM1-T3-0013-0007"));
     QTest::mouseClick(told->findChild<BigButton*>("messageAct"), Qt::LeftButton);
     QVERIFY(!told->isVisible());
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(bench_->batch().state, BatchState::Queued);
     QVERIFY(!told->isVisible());
   }
@@ -159,7 +159,7 @@ class CaptureTypingTest : public QObject {
     bag->setFocus();
     QTest::keyClicks(bag, "ARM1-T3-0012-4");
     QTest::keyClick(bag, Qt::Key_Return);
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard().phase(), CapturePhase::Flip);
     QCOMPARE(bagOfTheBatch(), QStringLiteral("4"));
   }
@@ -178,14 +178,14 @@ class CaptureTypingTest : public QObject {
   }
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(QString::fromLatin1(name));
+    T* found = screen_->findChild<T*>(QString::fromLatin1(name));
     if (found == nullptr) qFatal("there is no %s", name);
     return found;
   }
   InlineJobRunner jobs_;
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<Bench> bench_;
-  std::unique_ptr<CaptureStation> station_;
+  std::unique_ptr<CaptureScreen> screen_;
 };
 
 QTEST_MAIN(CaptureTypingTest)

@@ -4,17 +4,17 @@
 #include <QtTest>
 
 #include "sample_project.h"
-#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/catalogue_screen.h"
 #include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
 
-/// The catalogue's station in a window, with 40 sherds.
+/// The catalogue's screen in a window, with 40 sherds.
 class CatalogueWindow : public QObject {
  protected:
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(name);
+    T* found = screen_->findChild<T*>(name);
     if (!found) qFatal("no %s", name);
     return found;
   }
@@ -32,21 +32,21 @@ class CatalogueWindow : public QObject {
   }
   void open() {
     sample_ = std::make_unique<SampleProject>(40);
-    station_ = std::make_unique<CatalogueStation>();
-    reserveOpenGl(*station_);
-    station_->resize(1280, 720);
-    station_->openProject(sample_->session());
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    screen_ = std::make_unique<CatalogueScreen>();
+    reserveOpenGl(*screen_);
+    screen_->resize(1280, 720);
+    screen_->openProject(sample_->session());
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
   }
   void close() {
-    station_.reset();
+    screen_.reset();
     sample_.reset();
   }
 
   std::unique_ptr<SampleProject> sample_;
-  std::unique_ptr<CatalogueStation> station_;
+  std::unique_ptr<CatalogueScreen> screen_;
 };
 
 }  // namespace ostraka::ui

@@ -12,7 +12,7 @@
 #include <QTranslator>
 
 #include "catalogue_window.h"
-#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/number_delegate.h"
 #include "ui/frame/elided_button.h"
 
@@ -30,14 +30,14 @@ class DetailsTest : public CatalogueWindow {
     sample_->addDraft();
     filter("state:draft");
     choose(0);
-    QFont large = station_->font();
+    QFont large = screen_->font();
     large.setPointSizeF(1.6 * large.pointSizeF());
-    station_->setFont(large);
+    screen_->setFont(large);
     auto* give = static_cast<ElidedButton*>(child<QPushButton>("giveNumber"));
     give->setText("Donner le numéro ARAGATS-T2-000005-000123");
-    station_->findChild<SherdDetails*>()->setFixedWidth(300);
+    screen_->findChild<SherdDetails*>()->setFixedWidth(300);
     QTRY_VERIFY(give->isVisible() && give->width() <= 300);
-    QCOMPARE(station_->findChild<SherdDetails*>()->horizontalScrollBar()->maximum(), 0);
+    QCOMPARE(screen_->findChild<SherdDetails*>()->horizontalScrollBar()->maximum(), 0);
     QVERIFY2(give->shownText().endsWith("0123"), qPrintable(give->shownText()));
     filter("state:numbered");
     QStyleOptionViewItem option;
@@ -172,7 +172,7 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "state"), QString("void"));
     QCOMPARE(sample_->value(0, "void_reason"), QString("a stone"));
     QVERIFY(!yes->isVisible());
-    QCOMPARE(station_->focusWidget(), line);
+    QCOMPARE(screen_->focusWidget(), line);
     // Nothing was typed in it since: the shortcut is not the field's.
     QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
     undo.ignore();
@@ -244,10 +244,10 @@ class DetailsTest : public CatalogueWindow {
     auto* number = child<QLineEdit>("field_number");
     number->setFocus();
     QTest::keyClick(number, Qt::Key_Tab);
-    QCOMPARE(station_->focusWidget()->objectName(), QString("field_place"));
+    QCOMPARE(screen_->focusWidget()->objectName(), QString("field_place"));
     child<QLineEdit>("field_note")->setFocus();
-    QTest::keyClick(station_->focusWidget(), Qt::Key_Tab);
-    QCOMPARE(station_->focusWidget()->objectName(), QString("field_void_reason"));
+    QTest::keyClick(screen_->focusWidget(), Qt::Key_Tab);
+    QCOMPARE(screen_->focusWidget()->objectName(), QString("field_void_reason"));
   }
 
   void whoMovesASherdIsToldWhatItLeavesBehind() {

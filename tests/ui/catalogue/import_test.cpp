@@ -12,7 +12,7 @@
 
 #include "exchange/export_folder.h"
 #include "sample_project.h"
-#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/import_dialog.h"
 #include "ui/frame/look.h"
 
@@ -24,12 +24,12 @@ class ImportTest : public QObject {
 
  private:
   std::unique_ptr<SampleProject> sample_;
-  std::unique_ptr<CatalogueStation> station_;
+  std::unique_ptr<CatalogueScreen> screen_;
   ImportModel* model_ = nullptr;
 
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(name);
+    T* found = screen_->findChild<T*>(name);
     if (!found) qFatal("no %s", name);
     return found;
   }
@@ -51,22 +51,22 @@ class ImportTest : public QObject {
   void open() {
     QTest::mouseClick(child<QPushButton>("import"), Qt::LeftButton);
     QVERIFY(QTest::qWaitForWindowActive(child<ImportDialog>("importDialog")));
-    model_ = station_->findChild<ImportModel*>();
+    model_ = screen_->findChild<ImportModel*>();
   }
   QString summary() { return child<QLabel>("importSummary")->text(); }
 
  private slots:
   void init() {
     sample_ = std::make_unique<SampleProject>(10);
-    station_ = std::make_unique<CatalogueStation>();
-    station_->resize(1280, 720);
-    station_->openProject(sample_->session());
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    screen_ = std::make_unique<CatalogueScreen>();
+    screen_->resize(1280, 720);
+    screen_->openProject(sample_->session());
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
   }
   void cleanup() {
-    station_.reset();
+    screen_.reset();
     sample_.reset();
   }
 
@@ -149,7 +149,7 @@ class ImportTest : public QObject {
     open();
     model_->setSource(sherds());
     QTRY_VERIFY(child<QPushButton>("importEnter")->isEnabled());
-    const QSignalSpy said(station_.get(), &Station::said);
+    const QSignalSpy said(screen_.get(), &Screen::said);
     QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
     QCOMPARE(sample_->value(0, "ware"), QString("black"));
@@ -229,8 +229,8 @@ class ImportTest : public QObject {
     open();
     model_->setSource(sherds());
     QTRY_VERIFY(model_->canEnter());
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
     auto* note = child<QLineEdit>("field_note");
     note->setFocus();
     QTest::keyClicks(note, "half a ");
@@ -246,14 +246,14 @@ class ImportTest : public QObject {
     QVERIFY(sample_->catalogue().setSetting("import.unfinished",
                                             R"([{"source":"my <bags>.csv","entered":30,"of":100},)"
                                             R"({"source":"contexts.csv","entered":5,"of":7}])"));
-    station_->openProject(sample_->session());
+    screen_->openProject(sample_->session());
     auto* problem = child<QLabel>("problem");
     const QString told = problem->text();
     QVERIFY2(told.contains("my &lt;bags&gt;.csv") && told.contains("30 of 100"), qPrintable(told));
     QVERIFY2(told.contains("contexts.csv") && told.contains("5 of 7"), qPrintable(told));
     emit problem->linkActivated("forget");
     QVERIFY(problem->text().isEmpty());
-    station_->openProject(sample_->session());
+    screen_->openProject(sample_->session());
     QVERIFY(problem->text().isEmpty());
   }
 
@@ -326,7 +326,7 @@ class ImportTest : public QObject {
                                    sample_->sherds(), options, quiet, {})
                 .has_value());
     SampleProject other(0);
-    station_->openProject(other.session());
+    screen_->openProject(other.session());
     open();
     model_->setSource(sample_->folder() + "/out");
     QTRY_COMPARE(summary(), QString("10 new, 0 updated, 0 unchanged, 0 rejected."));
@@ -334,7 +334,7 @@ class ImportTest : public QObject {
     model_->enter();
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
     QCOMPARE(child<QLabel>("count")->text(), QString("10 sherd(s)"));
-    station_->closeProject();
+    screen_->closeProject();
   }
 
   // Both laptops described the same sherds, and no new one.

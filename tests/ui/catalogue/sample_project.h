@@ -28,20 +28,20 @@ class SampleProject {
     project_ = std::make_shared<catalogue::Project>(must(std::move(made)));
     session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
     session_->setInitials("AP");
-    act_.person =
-        must(catalogue().save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, act_));
+    provenance_.person =
+        must(catalogue().save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, provenance_));
     catalogue::SiteRecord site;
     site.code = "ARM1";
     site.name = "Hill";
     catalogue::TrenchRecord trench;
-    trench.site = must(catalogue().save(site, act_));
+    trench.site = must(catalogue().save(site, provenance_));
     trench.code = "T3";
     catalogue::ContextRecord context;
     context.site = trench.site;
-    context.trench = must(catalogue().save(trench, act_));
+    context.trench = must(catalogue().save(trench, provenance_));
     for (const char* number : {"0012", "0013"}) {
       context.number = number;
-      contexts_.push_back(must(catalogue().save(context, act_)));
+      contexts_.push_back(must(catalogue().save(context, provenance_)));
     }
     must(catalogue().together([&]() -> Result<void> {
       for (int i = 0; i < sherds; ++i) add(i);
@@ -61,7 +61,7 @@ class SampleProject {
   catalogue::SherdRow addDraft(bool with_context = true) {
     catalogue::SherdRecord s;
     if (with_context) s.context = contexts_[0];
-    sherds_.push_back(must(catalogue().addSherd(s, act_)));
+    sherds_.push_back(must(catalogue().addSherd(s, provenance_)));
     return sherds_.back();
   }
 
@@ -94,9 +94,9 @@ class SampleProject {
                   {"width", 30.0 + i % 7},
                   {"thickness_mean", 4.0 + 0.5 * (i % 10)},
                   {"weight", 20.0 + i % 13}};
-    const catalogue::SherdRow row = must(catalogue().addSherd(s, act_));
+    const catalogue::SherdRow row = must(catalogue().addSherd(s, provenance_));
     sherds_.push_back(row);
-    must(catalogue().assignNumbers(std::span(&row, 1), act_));
+    must(catalogue().assignNumbers(std::span(&row, 1), provenance_));
     if (i < 30) {
       const std::string path = "results/B0001/sherds/" + std::to_string(i) + "/preview.png";
       picture(i).save(prepared(path));
@@ -128,7 +128,7 @@ class SampleProject {
   ThreadedJobRunner jobs_;
   std::shared_ptr<catalogue::Project> project_;
   std::unique_ptr<ProjectSession> session_;
-  catalogue::Act act_;
+  catalogue::Provenance provenance_;
   std::vector<catalogue::ContextRow> contexts_;
   std::vector<catalogue::SherdRow> sherds_;
 };

@@ -33,17 +33,17 @@ class ProjectSessionTest : public QObject {
     QSignalSpy refused(session_.get(), &ProjectSession::personRefused);
     session_->setInitials("ap ");
     QCOMPARE(session_->initials(), QStringLiteral("AP"));
-    QCOMPARE(session_->act().person, *anna);
+    QCOMPARE(session_->provenance().person, *anna);
     QCOMPARE(refused.count(), 0);
   }
 
   void aPersonWhomTheProjectDoesNotKnowIsEntered() {
     session_->setInitials("bk");
-    const catalogue::Act act = session_->act();
+    const catalogue::Provenance provenance = session_->provenance();
     const auto persons = session_->project().catalogue().persons();
     QCOMPARE(persons->size(), std::size_t{1});
     QCOMPARE(persons->front().initials, std::string("BK"));
-    QCOMPARE(act.person, persons->front().row);
+    QCOMPARE(provenance.person, persons->front().row);
   }
 
   void theFieldsShowTheCapitalsThatAreKept() {
@@ -59,7 +59,7 @@ class ProjectSessionTest : public QObject {
   void aPersonWhoCannotBeEnteredIsSaid() {
     QSignalSpy refused(session_.get(), &ProjectSession::personRefused);
     session_->setInitials(QString(300, 'X'));
-    QVERIFY(!session_->act().person);
+    QVERIFY(!session_->provenance().person);
     QCOMPARE(refused.count(), 1);
     QVERIFY(refused[0][0].toString().contains("at most 200 letters"));
   }

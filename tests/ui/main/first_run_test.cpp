@@ -15,7 +15,7 @@
 #include "catalogue/project.h"
 #include "exchange/bagit.h"
 #include "person.h"
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"

@@ -7,7 +7,7 @@
 #include "person.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/main/new_project.h"
@@ -63,10 +63,10 @@ class LanguagesTest : public QObject {
     window.openProject(home.path("Virtual"));
     QVERIFY(window.session() != nullptr);
     activate(window);
-    for (std::size_t i = 0; i < window.stations().size(); ++i) {
-      window.showStation(static_cast<int>(i));
-      QTRY_VERIFY(window.stations()[i]->isVisible());
-      fits(window, *window.stations()[i], window.stations()[i]->iconName());
+    for (std::size_t i = 0; i < window.screens().size(); ++i) {
+      window.showScreen(static_cast<int>(i));
+      QTRY_VERIFY(window.screens()[i]->isVisible());
+      fits(window, *window.screens()[i], window.screens()[i]->iconName());
     }
     window.showSettings();
     fits(window, window, "settings");
@@ -82,9 +82,9 @@ class LanguagesTest : public QObject {
   static void fits(const MainWindow& window, const QWidget& screen, const QString& name) {
     QTest::qWait(0);
     QString widths = name;
-    for (const Station* station : window.stations())
+    for (const Screen* screen : window.screens())
       widths +=
-          QStringLiteral(", %1 %2").arg(station->title()).arg(station->minimumSizeHint().width());
+          QStringLiteral(", %1 %2").arg(screen->title()).arg(screen->minimumSizeHint().width());
     QVERIFY2(window.minimumSizeHint().width() <= kWidth, qPrintable(widths));
     const QStringList cut = cutIn(screen);
     QVERIFY2(cut.isEmpty(), qPrintable(name + ": " + cut.join(QStringLiteral(" | "))));

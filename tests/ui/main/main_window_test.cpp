@@ -1,4 +1,4 @@
-// What the frame around the stations does, without a rig and without computing.
+// What the frame around the screens does, without a rig and without computing.
 #include <QAction>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,7 +15,7 @@
 #include "person.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/main/project_lock.h"
@@ -101,7 +101,7 @@ class MainWindowTest : public QObject {
       activate(window);
       window.openProject(folder_);
       for (int i = 0; i < 9 && !named<QTableView>(window, "sherds")->isVisible(); ++i)
-        window.showStation(i);
+        window.showScreen(i);
       auto* table = named<QTableView>(window, "sherds");
       QTRY_COMPARE(table->model()->rowCount(), 1);
       QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
@@ -124,13 +124,13 @@ class MainWindowTest : public QObject {
     MainWindow window(jobs_);
     activate(window);
     window.openProject(folder_);
-    window.showStation(5);
+    window.showScreen(5);
     auto* target = named<QLineEdit>(window, "target");
     target->selectAll();
     QTest::keyClicks(target, home_->path(QStringLiteral("out")));
     auto* start = named<QPushButton>(window, "start");
     QTRY_VERIFY(start->isEnabled());
-    window.showStation(0);
+    window.showScreen(0);
     start->click();
     QVERIFY(!window.close());
     QVERIFY(start->isVisible());  // one sees what is meant
@@ -235,7 +235,7 @@ class MainWindowTest : public QObject {
     MainWindow window(jobs_);
     activate(window);
     window.openProject(folder_);
-    window.showStation(0);
+    window.showScreen(0);
     auto* text = named<QWidget>(window, "queueLogText");
     QVERIFY(!text->isVisible());
     named<QAction>(window, "queueLog")->trigger();

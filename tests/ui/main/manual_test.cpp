@@ -8,7 +8,7 @@
 #include "person.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/main/new_project.h"
@@ -85,11 +85,11 @@ class ManualTest : public QObject {
     QTest::keyClick(window_.get(), Qt::Key_F1);
     QCOMPARE(text->documentTitle(), QStringLiteral("Projects"));
     openProject();
-    for (std::size_t i = 0; i < window_->stations().size(); ++i) {
-      window_->showStation(static_cast<int>(i));
+    for (std::size_t i = 0; i < window_->screens().size(); ++i) {
+      window_->showScreen(static_cast<int>(i));
       QTest::keyClick(window_.get(), Qt::Key_F1);
       QTRY_VERIFY(text->isVisible());
-      QCOMPARE(text->documentTitle(), window_->stations()[i]->title());
+      QCOMPARE(text->documentTitle(), window_->screens()[i]->title());
       QTest::keyClick(window_.get(), Qt::Key_Escape);
     }
     window_->showSettings();
@@ -100,15 +100,15 @@ class ManualTest : public QObject {
   void eachPageNamesTheKeysOfItsScreen() {
     openProject();
     int keys = 0;
-    for (const Station* station : window_->stations()) {
+    for (const Screen* screen : window_->screens()) {
       QTextDocument page;
-      page.setHtml(contentsOf(QStringLiteral(":/manual/%1.html").arg(station->manualPage())));
-      for (const QAction* action : station->findChildren<QAction*>())
+      page.setHtml(contentsOf(QStringLiteral(":/manual/%1.html").arg(screen->manualPage())));
+      for (const QAction* action : screen->findChildren<QAction*>())
         for (const QKeySequence& key : action->shortcuts()) {
           if (action->text().isEmpty()) continue;
           ++keys;
           QVERIFY2(names(page.toPlainText(), key),
-                   qPrintable(station->manualPage() + ": " + written(key) + ", " + action->text()));
+                   qPrintable(screen->manualPage() + ": " + written(key) + ", " + action->text()));
         }
     }
     QVERIFY(keys > 30);

@@ -25,7 +25,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/main/new_project.h"
@@ -111,26 +111,26 @@ class ScreensTest : public QObject {
     QCOMPARE(window_->wizard()->place().typed(), QStringLiteral("ARM7-T3-0012-4"));
   }
 
-  void theKeysGoFromStationToStation() {
+  void theKeysGoFromScreenToScreen() {
     openVirtual();
-    const auto& stations = window_->stations();
-    for (std::size_t i = 0; i < stations.size(); ++i) {
+    const auto& screens = window_->screens();
+    for (std::size_t i = 0; i < screens.size(); ++i) {
       QTest::keyClick(window_.get(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)),
                       Qt::ControlModifier);
-      QTRY_VERIFY2(stations[i]->isVisible(), qPrintable(stations[i]->title()));
+      QTRY_VERIFY2(screens[i]->isVisible(), qPrintable(screens[i]->title()));
     }
     QTest::keyClick(window_.get(), Qt::Key_F1);
     QTRY_VERIFY(named<QTextBrowser>(*window_, "helpText")->isVisible());
     QVERIFY(named<QTextBrowser>(*window_, "helpText")->toPlainText().size() > 100);
     QTest::keyClick(window_.get(), Qt::Key_Escape);
-    QTRY_VERIFY(stations.back()->isVisible());
+    QTRY_VERIFY(screens.back()->isVisible());
     for (const auto& [key, with] :
          {std::pair(Qt::Key_F1, Qt::NoModifier), std::pair(Qt::Key_Comma, Qt::ControlModifier)}) {
       QTest::keyClick(window_.get(), key, with);
-      QTRY_VERIFY(!stations.back()->isVisible());
+      QTRY_VERIFY(!screens.back()->isVisible());
       QTest::keyClick(window_.get(), Qt::Key_2, Qt::ControlModifier);
-      QTRY_VERIFY(stations[1]->isVisible());
-      window_->showStation(static_cast<int>(stations.size()) - 1);
+      QTRY_VERIFY(screens[1]->isVisible());
+      window_->showScreen(static_cast<int>(screens.size()) - 1);
     }
   }
 
@@ -146,7 +146,7 @@ class ScreensTest : public QObject {
     openVirtual();
     const QString moved = project_ + "-moved";
     QVERIFY(QDir().rename(project_, moved));
-    window_->showStation(3);
+    window_->showScreen(3);
     QVERIFY(window_->session() == nullptr);
     auto* words = named<MessagePanel>(*window_, "startMessage");
     QVERIFY2(words->words().contains("not there any more"), qPrintable(words->words()));
@@ -190,15 +190,15 @@ class ScreensTest : public QObject {
     project_.clear();
   }
 
-  void theStationOfTheLastTimeIsInFrontAgain() {
+  void theScreenOfTheLastTimeIsInFrontAgain() {
     openVirtual();
-    QVERIFY(window_->stations()[0]->isVisible());
-    window_->showStation(2);
+    QVERIFY(window_->screens()[0]->isVisible());
+    window_->showScreen(2);
     window_->close();
     window_ = std::make_unique<MainWindow>(*jobs_);
     activate(*window_);
     openVirtual();
-    QVERIFY(window_->stations()[2]->isVisible());
+    QVERIFY(window_->screens()[2]->isVisible());
   }
 
   void theCataloguesFileOpensItsProject() {
@@ -247,13 +247,13 @@ class ScreensTest : public QObject {
     openVirtual();
     for (const int percent : {100, 150, 200}) {
       applyLook(*qApp, Theme::Light, percent);
-      for (std::size_t i = 0; i < window_->stations().size(); ++i) {
-        window_->showStation(static_cast<int>(i));
+      for (std::size_t i = 0; i < window_->screens().size(); ++i) {
+        window_->showScreen(static_cast<int>(i));
         QCoreApplication::processEvents();
         const QSize least = window_->minimumSizeHint();
         QVERIFY2(least.width() <= laptop.width() && least.height() <= laptop.height(),
                  qPrintable(QStringLiteral("%1 at %2 %: %3 x %4")
-                                .arg(window_->stations()[i]->title())
+                                .arg(window_->screens()[i]->title())
                                 .arg(percent)
                                 .arg(least.width())
                                 .arg(least.height())));
@@ -261,37 +261,37 @@ class ScreensTest : public QObject {
     }
     // However large the letters are: the next thing to do is in sight, and nothing lies beside it.
     window_->resize(laptop);
-    for (std::size_t i = 0; i < window_->stations().size(); ++i) {
-      window_->showStation(static_cast<int>(i));
-      const QScrollArea* area = areaOf(*window_->stations()[i]);
+    for (std::size_t i = 0; i < window_->screens().size(); ++i) {
+      window_->showScreen(static_cast<int>(i));
+      const QScrollArea* area = areaOf(*window_->screens()[i]);
       QVERIFY(area != nullptr);
       QTRY_VERIFY2(area->horizontalScrollBar()->maximum() == 0,
-                   qPrintable(window_->stations()[i]->title()));
-      if (window_->stations()[i]->iconName() != QLatin1String("export"))  // a list of choices
+                   qPrintable(window_->screens()[i]->title()));
+      if (window_->screens()[i]->iconName() != QLatin1String("export"))  // a list of choices
         QTRY_VERIFY2(area->verticalScrollBar()->maximum() == 0,
-                     qPrintable(window_->stations()[i]->title()));
+                     qPrintable(window_->screens()[i]->title()));
     }
-    window_->showStation(0);
+    window_->showScreen(0);
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
     const auto* next = named<QPushButton>(*window_, "captureButton");
     QTRY_COMPARE(next->visibleRegion().boundingRect(), next->rect());
     // Nor do the bold letters of the sunlight widen it while sherds are being placed.
     applyLook(*qApp, Theme::Sunlight, 200);
     QCoreApplication::processEvents();
-    QTRY_COMPARE(areaOf(*window_->stations()[0])->horizontalScrollBar()->maximum(), 0);
+    QTRY_COMPARE(areaOf(*window_->screens()[0])->horizontalScrollBar()->maximum(), 0);
     QCOMPARE(window_->width(), laptop.width());
     // In the usual size nothing has to be scrolled.
     applyLook(*qApp, Theme::Light, 100);
     window_->resize(laptop);
-    for (std::size_t i = 0; i < window_->stations().size(); ++i) {
-      window_->showStation(static_cast<int>(i));
+    for (std::size_t i = 0; i < window_->screens().size(); ++i) {
+      window_->showScreen(static_cast<int>(i));
       QCoreApplication::processEvents();
-      const QWidget* page = window_->stations()[i];
+      const QWidget* page = window_->screens()[i];
       const QScrollArea* area = areaOf(*page);
       QVERIFY(area != nullptr);
       QTRY_VERIFY2(page->size() == area->viewport()->size(),
                    qPrintable(QStringLiteral("%1: %2 in %3")
-                                  .arg(window_->stations()[i]->title())
+                                  .arg(window_->screens()[i]->title())
                                   .arg(page->height())
                                   .arg(area->viewport()->height())));
     }
@@ -325,14 +325,14 @@ class ScreensTest : public QObject {
       picture(theme, "start", [this] { window_->closeProject(); });
       openVirtual();
       QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
-      for (const Station* station : window_->stations())
-        picture(theme, station->iconName(), [this, station] { showStation(station->iconName()); });
+      for (const Screen* screen : window_->screens())
+        picture(theme, screen->iconName(), [this, screen] { showScreen(screen->iconName()); });
       picture(theme, "drawing", [this] {
-        showStation("catalogue");
+        showScreen("catalogue");
         named<QAction>(*window_, "drawing")->trigger();
       });
       picture(theme, "masks", [this] {
-        showStation("queue");
+        showScreen("queue");
         auto* list = named<QListView>(*window_, "queueList");  // the oldest is computed
         list->setCurrentIndex(list->model()->index(list->model()->rowCount() - 1, 0));
         named<QAction>(*window_, "queueMasks")->trigger();
@@ -394,8 +394,8 @@ class ScreensTest : public QObject {
     applyLook(*qApp, theme, asked > 0 ? asked : theme == Theme::Sunlight ? 130 : 100);
   }
 
-  void showStation(const QString& icon_name) {
-    window_->showStationNamed(icon_name, {});
+  void showScreen(const QString& icon_name) {
+    window_->showScreenNamed(icon_name, {});
     if (icon_name == QLatin1String("catalogue")) {
       named<QTabWidget>(*window_, "right")->setCurrentIndex(0);
       named<QTableView>(*window_, "sherds")->selectRow(0);
@@ -409,7 +409,7 @@ class ScreensTest : public QObject {
     constexpr int kLong_ms = 1200000;
     CaptureWizard& wizard = *window_->wizard();
     window_->queue()->setPaused(true);
-    showStation("capture");
+    showScreen("capture");
     const auto all = [&](const QString& screen) {
       for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
         look(theme);

@@ -13,7 +13,7 @@
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
@@ -61,10 +61,10 @@ class SmallWindowTest : public QObject {
   void thePrimaryButtonOfEachScreenIsInSight_data() { languages(); }
   void thePrimaryButtonOfEachScreenIsInSight() {
     open();
-    for (const Station* station : window_->stations()) {
-      window_->showStationNamed(station->iconName(), {});
-      QTRY_VERIFY(station->isVisible());
-      QTRY_VERIFY2(isInSight(station->primary()), qPrintable(reportOf(*station)));
+    for (const Screen* screen : window_->screens()) {
+      window_->showScreenNamed(screen->iconName(), {});
+      QTRY_VERIFY(screen->isVisible());
+      QTRY_VERIFY2(isInSight(screen->primary()), qPrintable(reportOf(*screen)));
     }
   }
 
@@ -73,12 +73,12 @@ class SmallWindowTest : public QObject {
   void eachScreenShowsOnePrimaryButtonAndFillsNoOther() {
     for (const bool empty : {true, false}) {
       open(empty);
-      for (const Station* station : window_->stations()) {
-        window_->showStationNamed(station->iconName(), {});
-        QTRY_VERIFY(station->isVisible());
-        QTRY_VERIFY2(isTheOnlyFilled(*station, station->primary()),
-                     qPrintable(station->title() + QStringLiteral(": ") +
-                                filledOn(*station).join(QStringLiteral(", "))));
+      for (const Screen* screen : window_->screens()) {
+        window_->showScreenNamed(screen->iconName(), {});
+        QTRY_VERIFY(screen->isVisible());
+        QTRY_VERIFY2(isTheOnlyFilled(*screen, screen->primary()),
+                     qPrintable(screen->title() + QStringLiteral(": ") +
+                                filledOn(*screen).join(QStringLiteral(", "))));
       }
       cleanup();
       init();
@@ -88,7 +88,7 @@ class SmallWindowTest : public QObject {
   void thePrimaryButtonOfTheMasksIsInSight_data() { languages(); }
   void thePrimaryButtonOfTheMasksIsInSight() {
     open();
-    window_->showStationNamed(QStringLiteral("queue"), {});
+    window_->showScreenNamed(QStringLiteral("queue"), {});
     named<QAction>(*window_, "queueMasks")->setEnabled(true);
     named<QAction>(*window_, "queueMasks")->trigger();
     const QWidget* primary = named<QWidget>(*window_, "masksComputeButton");
@@ -99,7 +99,7 @@ class SmallWindowTest : public QObject {
   void theFieldsOfTheDetailsHaveRoomForWhatIsTyped_data() { languages(); }
   void theFieldsOfTheDetailsHaveRoomForWhatIsTyped() {
     open();
-    window_->showStationNamed(QStringLiteral("catalogue"), {});
+    window_->showScreenNamed(QStringLiteral("catalogue"), {});
     QWidget* details = named<QWidget>(*window_, "details");
     for (const char* field : {"field_number", "field_place", "field_ware"})
       QTRY_VERIFY2(details->findChild<QWidget*>(QString::fromLatin1(field))->width() >= 100, field);
@@ -108,8 +108,8 @@ class SmallWindowTest : public QObject {
   void thePrimaryButtonStaysInSightWhileABatchIsCaptured_data() { languages(); }
   void thePrimaryButtonStaysInSightWhileABatchIsCaptured() {
     open();
-    Station* capture = window_->stations().front();
-    window_->showStationNamed(capture->iconName(), {});
+    Screen* capture = window_->screens().front();
+    window_->showScreenNamed(capture->iconName(), {});
     QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));  // no rig yet
     CaptureWizard& wizard = *window_->wizard();
     rig_ = std::make_unique<FakeRig>();
@@ -136,7 +136,7 @@ class SmallWindowTest : public QObject {
 
   void theReviewShowsPhotographsModelOutlinesAndTools() {
     open();
-    window_->showStationNamed(QStringLiteral("review"), {});
+    window_->showScreenNamed(QStringLiteral("review"), {});
     for (const char* part : {"sherd", "pictures", "outlines"}) {
       QWidget* shown = named<QWidget>(*window_, part);
       QTRY_VERIFY2(shown->height() >= kSmall.height() / 4 && isInSight(shown), part);
@@ -149,7 +149,7 @@ class SmallWindowTest : public QObject {
 
   void theCatalogueShowsDetailsOrTheModel() {
     open();
-    window_->showStationNamed(QStringLiteral("catalogue"), {});
+    window_->showScreenNamed(QStringLiteral("catalogue"), {});
     QWidget* details = named<QWidget>(*window_, "details");
     QTRY_VERIFY(details->isVisible() && details->height() >= kSmall.height() / 3);
     auto* toggle = named<QAbstractButton>(*window_, "showModel");
@@ -228,13 +228,13 @@ class SmallWindowTest : public QObject {
     const QStringList filled = filledOn(screen);
     return button->isEnabled() ? filled == QStringList{button->objectName()} : filled.isEmpty();
   }
-  QString reportOf(const Station& station) const {
-    const QWidget* button = station.primary();
-    if (button == nullptr) return station.title() + QStringLiteral(": no primary button");
+  QString reportOf(const Screen& screen) const {
+    const QWidget* button = screen.primary();
+    if (button == nullptr) return screen.title() + QStringLiteral(": no primary button");
     const QPoint at = button->mapTo(window_.get(), QPoint());
     const QRect seen = button->visibleRegion().boundingRect();
     return QStringLiteral("%1: '%2' at %3, %4 of %5 x %6, seen %7 x %8")
-        .arg(station.title(), button->objectName())
+        .arg(screen.title(), button->objectName())
         .arg(at.x())
         .arg(at.y())
         .arg(button->width())

@@ -11,7 +11,7 @@
 #include "synthetic_out.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
-#include "ui/map/map_station.h"
+#include "ui/map/map_screen.h"
 #include "ui/map/map_view.h"
 #include "ui/map/qr_code.h"
 
@@ -33,7 +33,7 @@ class MapTest : public QObject {
   void whatWasTakenOutKeepsItsNumberOnBothSides();
   void whatNobodyLooksAtIsNotRead();
   void theLabelSaysTheDayOfTheShooting();
-  void itFollowsTheBatchOfTheStationBefore();
+  void itFollowsTheBatchOfTheScreenBefore();
   void aMissingPhotographIsSaid();
   void aBatchOfScansSaysThatItHasNoPicture();
   void theFirstBatchTakesTheMessageAway();
@@ -42,7 +42,7 @@ class MapTest : public QObject {
 
  private:
   const pipeline::PlateMap& map() { return view()->picture().map; }
-  MapView* view() { return station_->findChild<MapView*>("plate"); }
+  MapView* view() { return screen_->findChild<MapView*>("plate"); }
 
   QTemporaryDir folder_;
   pipeline::SyntheticOut out_;
@@ -58,7 +58,7 @@ class MapTest : public QObject {
     }
   } runner_;
   std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<MapStation> station_;
+  std::unique_ptr<MapScreen> screen_;
 };
 
 void MapTest::initTestCase() {
@@ -67,15 +67,15 @@ void MapTest::initTestCase() {
 
 void MapTest::init() {
   session_ = std::make_unique<ProjectSession>(nullptr, folder_.path().toStdString(), runner_);
-  station_ = std::make_unique<MapStation>();
-  station_->resize(1000, 500);
-  station_->show();
-  station_->openProject(*session_);
+  screen_ = std::make_unique<MapScreen>();
+  screen_->resize(1000, 500);
+  screen_->show();
+  screen_->openProject(*session_);
   QTRY_VERIFY(map().front.width > 0);
 }
 
 void MapTest::cleanup() {
-  station_.reset();
+  screen_.reset();
   session_.reset();
   std::filesystem::remove(out_.output / "decisions.json");
 }
@@ -147,7 +147,7 @@ void MapTest::whatWasTakenOutKeepsItsNumberOnBothSides() {
   QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("shoot again"));
   numbers.endings = {{"03", "0007"}};
   QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("0007, shoot again"));
-  QCOMPARE(station_->labels().size(), 3);  // no number outside this batch
+  QCOMPARE(screen_->labels().size(), 3);  // no number outside this batch
 }
 
 void MapTest::whatNobodyLooksAtIsNotRead() {
@@ -155,12 +155,12 @@ void MapTest::whatNobodyLooksAtIsNotRead() {
   decision.kind = pipeline::DecisionKind::Pair;
   decision.by = "AP";
   decision.scans = {out_.table.fronts[0], out_.table.backs[0]};
-  station_->hide();
+  screen_->hide();
   const int before = runner_.started;
   QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
   for (int i = 0; i < 3; ++i) session_->tellBatchChanged("B0007");
   QCOMPARE(runner_.started, before);
-  station_->show();
+  screen_->show();
   QCOMPARE(runner_.started, before + 1);
   QTRY_COMPARE(map().back.marks[0].number, std::string("01"));
 }
@@ -179,10 +179,10 @@ void MapTest::theLabelSaysTheDayOfTheShooting() {
   batch.started_ms = QDateTime(QDate(2019, 7, 14), QTime(12, 0)).toMSecsSinceEpoch();
   QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
   ProjectSession dated(project, folder_.path().toStdString(), runner_);
-  station_->openProject(dated);
-  QTRY_VERIFY(!station_->labels().isEmpty());
-  QCOMPARE(station_->labels()[2].date, QStringLiteral("2019-07-14"));
-  station_->closeProject();
+  screen_->openProject(dated);
+  QTRY_VERIFY(!screen_->labels().isEmpty());
+  QCOMPARE(screen_->labels()[2].date, QStringLiteral("2019-07-14"));
+  screen_->closeProject();
 }
 
 void MapTest::theQrCodeIsAsSmallAsTheStandardSays() {
@@ -200,33 +200,33 @@ void MapTest::theQrCodeIsAsSmallAsTheStandardSays() {
 }
 
 void MapTest::mapAndLabelsAreWrittenAsPdf() {
-  const QVector<SherdLabel> labels = station_->labels();
+  const QVector<SherdLabel> labels = screen_->labels();
   QCOMPARE(labels.size(), 4);
   QCOMPARE(labels[2].number, QStringLiteral("sherd 3 of B0007"));
   QCOMPARE(labels[2].code, QStringLiteral("OST1:S:B0007-03"));
   const QString file = folder_.filePath("map.pdf");
-  QVERIFY(station_->writePdf(file));
+  QVERIFY(screen_->writePdf(file));
   QFile pdf(file);
   QVERIFY(pdf.open(QIODevice::ReadOnly));
   const QByteArray bytes = pdf.readAll();
   QVERIFY(bytes.startsWith("%PDF"));
   QVERIFY(bytes.size() > 20000);
   QCOMPARE(bytes.count("/Type /Page\n"), 2);
-  QVERIFY(!station_->writePdf(folder_.filePath("no such folder/map.pdf")));
-  QVERIFY(!station_->findChild<QLabel*>("message")->text().isEmpty());
+  QVERIFY(!screen_->writePdf(folder_.filePath("no such folder/map.pdf")));
+  QVERIFY(!screen_->findChild<QLabel*>("message")->text().isEmpty());
 }
 
-void MapTest::itFollowsTheBatchOfTheStationBefore() {
+void MapTest::itFollowsTheBatchOfTheScreenBefore() {
   const std::filesystem::path results = out_.output.parent_path();
   std::filesystem::copy(out_.output, results / "B0006", std::filesystem::copy_options::recursive);
   session_->tellBatchChanged("B0006");
-  QCOMPARE(station_->chosen(), QStringLiteral("plate:B0007"));
-  station_->takeChosen("plate:B0006");
-  QCOMPARE(station_->chosen(), QStringLiteral("plate:B0006"));
-  QTRY_VERIFY(!station_->labels().isEmpty() && station_->labels()[0].number.endsWith("B0006"));
-  station_->takeChosen("plate:B0099");  // is not computed
-  station_->takeChosen("context:0012");
-  QCOMPARE(station_->chosen(), QStringLiteral("plate:B0006"));
+  QCOMPARE(screen_->chosen(), QStringLiteral("plate:B0007"));
+  screen_->takeChosen("plate:B0006");
+  QCOMPARE(screen_->chosen(), QStringLiteral("plate:B0006"));
+  QTRY_VERIFY(!screen_->labels().isEmpty() && screen_->labels()[0].number.endsWith("B0006"));
+  screen_->takeChosen("plate:B0099");  // is not computed
+  screen_->takeChosen("context:0012");
+  QCOMPARE(screen_->chosen(), QStringLiteral("plate:B0006"));
   std::filesystem::remove_all(results / "B0006");
 }
 
@@ -247,8 +247,8 @@ void MapTest::aBatchOfScansSaysThatItHasNoPicture() {
   QVERIFY(std::filesystem::remove(scans / "work" / "rig" / "cameras.json"));
   QVERIFY(writeFileAtomically(folder / "batches" / "B0009" / "front" / "a.ply", "ply").has_value());
   session_->tellBatchChanged("B0009");
-  station_->showItem("B0009");
-  const auto* message = station_->findChild<QLabel*>("message");
+  screen_->showItem("B0009");
+  const auto* message = screen_->findChild<QLabel*>("message");
   QTRY_VERIFY2(message->text().startsWith("This batch was scanned"), qPrintable(message->text()));
   std::filesystem::remove_all(scans);
 }
@@ -257,18 +257,18 @@ void MapTest::theFirstBatchTakesTheMessageAway() {
   const QTemporaryDir empty;
   const std::filesystem::path folder = empty.path().toStdString();
   ProjectSession fresh(nullptr, folder, runner_);
-  QSignalSpy said(station_.get(), &Station::said);
-  station_->openProject(fresh);
-  auto* message = station_->findChild<QLabel*>("message");
-  const auto* no_map = station_->findChild<EmptyState*>();
+  QSignalSpy said(screen_.get(), &Screen::said);
+  screen_->openProject(fresh);
+  auto* message = screen_->findChild<QLabel*>("message");
+  const auto* no_map = screen_->findChild<EmptyState*>();
   QVERIFY(!no_map->isHidden());
-  QCOMPARE(said.count(), 0);  // the window's foot is for the station in front
+  QCOMPARE(said.count(), 0);  // the window's foot is for the screen in front
   pipeline::writeSyntheticOut(folder / "results" / "B0001", {});
   fresh.tellBatchChanged("B0001");
   QTRY_VERIFY(map().front.width > 0);
   QVERIFY(no_map->isHidden());
   QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
-  station_->closeProject();
+  screen_->closeProject();
 }
 
 void MapTest::noNumberHidesASmallSherd() {

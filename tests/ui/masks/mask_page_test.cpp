@@ -1,4 +1,4 @@
-// What is sherd on a photograph is shown and mended with a brush, by mouse and by keys.
+// What is sherd on a photograph is shown and edited with a brush, by mouse and by keys.
 #include "ui/masks/mask_page.h"
 
 #include <sys/resource.h>
@@ -71,7 +71,7 @@ class MaskPageTest : public QObject {
     page_->openBatch(*session_, "B0001");
     model_ = page_->findChild<MaskModel*>();
     view_ = page_->findChild<MaskView*>("maskView");
-    QTRY_VERIFY_WITH_TIMEOUT(!model_->veil().isNull(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!model_->overlay().isNull(), 20000);
   }
   void cleanup() {
     page_.reset();
@@ -85,7 +85,7 @@ class MaskPageTest : public QObject {
 
   void aStrokeOfTheMouseIsSavedAtOnceAndUndone() {
     const QPoint plate = outsideOfSherds();
-    QCOMPARE(qAlpha(model_->veil().pixel(plate)), 0);
+    QCOMPARE(qAlpha(model_->overlay().pixel(plate)), 0);
     const QPoint at = view_->placeOf(plate).toPoint();
     QTest::mousePress(view_, Qt::LeftButton, {}, at);
     QTest::mouseMove(view_, at + QPoint(12, 0));
@@ -96,14 +96,14 @@ class MaskPageTest : public QObject {
     QCOMPARE(saved->front().by, std::string("AP"));
     QCOMPARE(saved->front().side, batch::Side::Front);
     QVERIFY(saved->front().paint == pipeline::MaskPaint::Sherd);
-    QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
-    QCOMPARE(model_->mended(), 1);
+    QVERIFY(qAlpha(model_->overlay().pixel(plate)) > 0);
+    QCOMPARE(model_->edited(), 1);
     session_->undo().undo();
     QVERIFY(pipeline::readMaskStrokes(out_)->empty());
-    QCOMPARE(qAlpha(model_->veil().pixel(plate)), 0);
+    QCOMPARE(qAlpha(model_->overlay().pixel(plate)), 0);
     session_->undo().redo();
     QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
-    QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
+    QVERIFY(qAlpha(model_->overlay().pixel(plate)) > 0);
   }
 
   void aBatchThatWasDoneWantsComputingUntilTheStrokeIsTakenBack() {
@@ -129,7 +129,7 @@ class MaskPageTest : public QObject {
     const auto settled = asks ? catalogue::BatchState::Review : catalogue::BatchState::Done;
     QSignalSpy told(&session, &ProjectSession::batchChanged);
     page_->openBatch(session, "B0001");
-    QTRY_VERIFY_WITH_TIMEOUT(!model_->veil().isNull(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!model_->overlay().isNull(), 20000);
     model_->paint(pipeline::MaskPaint::Plate, QPolygonF{{10, 10}, {30, 30}}, 8);
     QTRY_COMPARE(state(), catalogue::BatchState::Review);
     QVERIFY(pipeline::masksWantComputing(project / "results" / "B0001"));
@@ -150,7 +150,7 @@ class MaskPageTest : public QObject {
     QCOMPARE(saved->size(), std::size_t{1});
     QVERIFY(saved->front().paint == pipeline::MaskPaint::Plate);
     const Eigen::Vector2d first = saved->front().path_px.front();
-    QCOMPARE(qAlpha(model_->veil().pixel(qRound(first.x()), qRound(first.y()))), 0);
+    QCOMPARE(qAlpha(model_->overlay().pixel(qRound(first.x()), qRound(first.y()))), 0);
     QTest::keyClick(view_, Qt::Key_Right);
     QTest::keyClick(view_, Qt::Key_Space);
     const Eigen::Vector2d second = pipeline::readMaskStrokes(out_)->back().path_px.front();
@@ -161,16 +161,16 @@ class MaskPageTest : public QObject {
   void aStrokeOnAPhotographThatWasTakenAgainHoldsNoMore() {
     const QPoint plate = outsideOfSherds();
     model_->paint(pipeline::MaskPaint::Sherd, QPolygonF{{plate}}, 8);
-    QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
-    QCOMPARE(model_->mended(), 1);
+    QVERIFY(qAlpha(model_->overlay().pixel(plate)) > 0);
+    QCOMPARE(model_->edited(), 1);
     const fs::path now = fs::path(folder_->path().toStdString()) / "batches/B0001/photographs";
     const auto again = readFile(now / "back.png");
     QVERIFY(again.has_value());
     QVERIFY(writeFileAtomically(now / "front.png", *again).has_value());
     page_->openBatch(*session_, "B0001");
-    QTRY_VERIFY_WITH_TIMEOUT(!model_->veil().isNull(), 20000);
-    QCOMPARE(qAlpha(model_->veil().pixel(plate)), 0);
-    QCOMPARE(model_->mended(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!model_->overlay().isNull(), 20000);
+    QCOMPARE(qAlpha(model_->overlay().pixel(plate)), 0);
+    QCOMPARE(model_->edited(), 0);
     QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
   }
 
@@ -202,7 +202,7 @@ class MaskPageTest : public QObject {
     auto* which = page_->findChild<QComboBox*>("masksWhich");
     QCOMPARE(which->currentText(), QStringLiteral("front, front.png"));
     QTest::keyClick(page_.get(), Qt::Key_PageDown);
-    QTRY_VERIFY_WITH_TIMEOUT(model_->index() == 1 && !model_->veil().isNull(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(model_->index() == 1 && !model_->overlay().isNull(), 20000);
     QCOMPARE(which->currentText(), QStringLiteral("back, back.png"));
     QTest::keyClick(page_.get(), Qt::Key_PageUp);
     QTRY_COMPARE(model_->index(), 0);
@@ -239,14 +239,14 @@ class MaskPageTest : public QObject {
   }
 
  private:
-  QPoint pixelWith(bool veiled) {
-    const QImage& veil = model_->veil();
-    for (int y = 40; y < veil.height() - 40; y += 4)
-      for (int x = 40; x < veil.width() - 40; x += 4) {
+  QPoint pixelWith(bool overlaid) {
+    const QImage& overlay = model_->overlay();
+    for (int y = 40; y < overlay.height() - 40; y += 4)
+      for (int x = 40; x < overlay.width() - 40; x += 4) {
         bool all = true;
         for (int dy = -20; dy <= 20; dy += 10)
           for (int dx = -20; dx <= 20; dx += 10)
-            all = all && (qAlpha(veil.pixel(x + dx, y + dy)) > 0) == veiled;
+            all = all && (qAlpha(overlay.pixel(x + dx, y + dy)) > 0) == overlaid;
         if (all) return {x, y};
       }
     qFatal("there is no such place");

@@ -36,12 +36,12 @@ void ReviewPictureTest::theClosedModelIsShownOfItsOwnPairOnly() {
   model()->select(0);
   QTRY_VERIFY(!scenes.isEmpty());
   const auto hasModel = [&] { return fetched.takeLast().at(0).value<MeshPtr>() != nullptr; };
-  const auto* closed = station_->findChild<QAction*>("closed");
+  const auto* closed = screen_->findChild<QAction*>("closed");
   key(Qt::Key_V);
   QTRY_COMPARE(fetched.count(), 1);
   QVERIFY(hasModel());
   QVERIFY(closed->isChecked());
-  emit station_->findChild<SherdView*>("sherd")->backMoved({0.1, 0, 0}, {0, 0, 0});
+  emit screen_->findChild<SherdView*>("sherd")->backMoved({0.1, 0, 0}, {0, 0, 0});
   QVERIFY2(model()->trial().made == Made::Program, "a back that is not seen is not turned");
   scenes.clear();
   key(Qt::Key_2);
@@ -53,13 +53,13 @@ void ReviewPictureTest::theClosedModelIsShownOfItsOwnPairOnly() {
   QTRY_COMPARE(fetched.count(), 1);
   QVERIFY2(!hasModel(), "of f001 and b001 there is none");
   QVERIFY(!closed->isChecked());
-  const QString said = station_->findChild<QLabel*>("message")->text();
+  const QString said = screen_->findChild<QLabel*>("message")->text();
   QVERIFY2(said.contains("no closed model yet"), qPrintable(said));
 }
 
 void ReviewPictureTest::aLengthIsForgottenWhenWhatWasMeasuredMoves() {
   open(4);
-  auto& view = *station_->findChild<SherdView*>("sherd");
+  auto& view = *screen_->findChild<SherdView*>("sherd");
   const auto length = [&] { return view.findChild<ViewOverlay*>()->measure(); };
   const auto measure = [&] {
     emit view.pointPicked({0, 0, 0});
@@ -81,18 +81,18 @@ void ReviewPictureTest::aLengthIsForgottenWhenWhatWasMeasuredMoves() {
 
 void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {
   open(3);
-  const auto* bar = station_->findChild<QWidget*>("scaleInDoubt");
+  const auto* bar = screen_->findChild<QWidget*>("scaleInDoubt");
   QVERIFY(!bar->isVisible());
   pipeline::CandidateTable table = out_.table;
   table.has_scale = false;
   QVERIFY(writeJson(out_.output / "work/pairs/candidates.json", toJson(table)).has_value());
   QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);
-  station_->showItem("B0001");
+  screen_->showItem("B0001");
   QTRY_VERIFY(!scenes.isEmpty());
   QVERIFY(bar->isVisible());
-  const QString words = station_->findChild<QLabel*>("scaleWords")->text();
+  const QString words = screen_->findChild<QLabel*>("scaleWords")->text();
   QVERIFY2(words.startsWith("B0001 has no scale"), qPrintable(words));
-  auto& view = *station_->findChild<SherdView*>("sherd");
+  auto& view = *screen_->findChild<SherdView*>("sherd");
   key(Qt::Key_D);
   emit view.pointPicked({0, 0, 0});
   emit view.pointPicked({0, 12, 0});

@@ -12,11 +12,11 @@
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/review/pair_review_model.h"
-#include "ui/review/review_station.h"
+#include "ui/review/review_screen.h"
 
 namespace ostraka::ui {
 
-/// The station Review in a real window with real jobs, on made-up batches of look-alikes.
+/// The screen Review in a real window with real jobs, on made-up batches of look-alikes.
 class ReviewWindow : public QObject {
  protected:
   void open(int sherds, bool with_project = false) {
@@ -38,8 +38,8 @@ class ReviewWindow : public QObject {
     }
     session_ = std::make_unique<ProjectSession>(catalogue, project, *runner_);
     window_ = std::make_unique<QMainWindow>();
-    station_ = new ReviewStation(window_.get());
-    window_->setCentralWidget(station_);
+    screen_ = new ReviewScreen(window_.get());
+    window_->setCentralWidget(screen_);
     QAction* undo = session_->undo().createUndoAction(window_.get());
     undo->setShortcut(QKeySequence::Undo);
     window_->addAction(undo);
@@ -47,9 +47,9 @@ class ReviewWindow : public QObject {
     window_->show();
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-    station_->openProject(*session_);
+    screen_->openProject(*session_);
     QTRY_VERIFY(model()->isOpen());
-    auto* initials = station_->findChild<QLineEdit*>("initials");
+    auto* initials = screen_->findChild<QLineEdit*>("initials");
     QTRY_VERIFY(model()->whyNotAccept().contains("initials"));
     key(Qt::Key_Return);  // without a name nothing is decided, and the name is what is typed next
     QTRY_VERIFY(initials->hasFocus());
@@ -99,7 +99,7 @@ class ReviewWindow : public QObject {
     QTRY_VERIFY(QApplication::focusWidget() != nullptr);
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
-  PairReviewModel* model() { return station_->model(); }
+  PairReviewModel* model() { return screen_->model(); }
   const pipeline::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }
   pipeline::Decisions standingOnDisk() {
     return pipeline::standing(*pipeline::readDecisions(out_.output));
@@ -110,7 +110,7 @@ class ReviewWindow : public QObject {
   std::unique_ptr<ThreadedJobRunner> runner_;
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<QMainWindow> window_;
-  ReviewStation* station_ = nullptr;
+  ReviewScreen* screen_ = nullptr;
 };
 
 }  // namespace ostraka::ui

@@ -49,7 +49,7 @@ class ReviewWindowTest : public ReviewWindow {
 };
 
 void ReviewWindowTest::click(int row, bool on_back) {
-  auto* cards = station_->findChild<QListView*>("cards");
+  auto* cards = screen_->findChild<QListView*>("cards");
   const QRect card = cards->visualRect(model()->index(row));
   const QRect back = CardDelegate::backPicture(card, cards->fontMetrics());
   QTest::mouseClick(cards->viewport(), Qt::LeftButton, {},
@@ -57,7 +57,7 @@ void ReviewWindowTest::click(int row, bool on_back) {
 }
 
 void ReviewWindowTest::drag(int from_row, int to_row) {
-  auto* cards = station_->findChild<QListView*>("cards");
+  auto* cards = screen_->findChild<QListView*>("cards");
   const auto rect = [&](int row) { return cards->visualRect(model()->index(row)); };
   const QPoint from = CardDelegate::backPicture(rect(from_row), cards->fontMetrics()).center();
   const QPoint to = rect(to_row).center();
@@ -81,7 +81,7 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByKeyboard() {
   key(Qt::Key_Return);
   QTRY_COMPARE(cardOf(first).state, CardState::Decided);
   QCOMPARE(model()->front(), 1 - first);
-  QVERIFY(station_->findChild<QLabel*>("reason")->text().contains("was given to front "));
+  QVERIFY(screen_->findChild<QLabel*>("reason")->text().contains("was given to front "));
   key(Qt::Key_Return);
   QTRY_COMPARE(model()->waiting(), 0);
   QCOMPARE(cardOf(0).back, 0);
@@ -103,7 +103,7 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByMouse() {
   QCOMPARE(cardOf(1).state, CardState::Decided);
   QCOMPARE(model()->front(), 0);
   QCOMPARE(cardOf(0).back, 0);
-  QTest::mouseClick(station_->findChild<QPushButton*>("acceptButton"), Qt::LeftButton);
+  QTest::mouseClick(screen_->findChild<QPushButton*>("acceptButton"), Qt::LeftButton);
   QTRY_COMPARE(model()->waiting(), 0);
   QCOMPARE(cardOf(0).back, 0);
 }
@@ -117,7 +117,7 @@ void ReviewWindowTest::twentyPairsAreReviewedByKeyboardAlone() {
     QTRY_COMPARE(static_cast<int>(standingOnDisk().size()), i + 1);
   }
   for (int front = 0; front < 20; ++front) QCOMPARE(cardOf(front).state, CardState::Decided);
-  QCOMPARE(station_->waiting(), 0);
+  QCOMPARE(screen_->waiting(), 0);
 }
 
 // A glove, or something that lies on the key.
@@ -135,7 +135,7 @@ void ReviewWindowTest::aKeyThatIsHeldDownDecidesOnePair() {
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   hold(Qt::Key_S, "s");
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{2});
-  station_->findChild<QListView*>("cards")->setFocus();
+  screen_->findChild<QListView*>("cards")->setFocus();
   hold(Qt::Key_S, "s");
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{3});
   model()->selectRow(0);
@@ -145,14 +145,14 @@ void ReviewWindowTest::aKeyThatIsHeldDownDecidesOnePair() {
 
 void ReviewWindowTest::theKeysOfThePictureWork() {
   open(4);
-  auto& view = *station_->findChild<SherdView*>("sherd");
+  auto& view = *screen_->findChild<SherdView*>("sherd");
   QVERIFY(view.hasOpenGl());
   key(Qt::Key_A);
   QVERIFY(view.isApart());
   key(Qt::Key_D);
   QVERIFY(view.isMeasuring());
   QVERIFY2(!view.isApart(), "across sides that lie apart a length would be false");
-  const auto* reason = station_->findChild<QLabel*>("reason");
+  const auto* reason = screen_->findChild<QLabel*>("reason");
   QVERIFY2(reason->text().startsWith("Click on one end"), qPrintable(reason->text()));
   key(Qt::Key_D);
   QCOMPARE(reason->text(), model()->reason());
@@ -181,9 +181,9 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   const int front = model()->front(), back = model()->trial().back;
   const auto& table = model()->live()->table();
   key(Qt::Key_K);
-  auto* pictures = station_->findChild<PicturePair*>();
+  auto* pictures = screen_->findChild<PicturePair*>();
   QVERIFY(pictures->isCutting());
-  const auto* reason = station_->findChild<QLabel*>("reason");
+  const auto* reason = screen_->findChild<QLabel*>("reason");
   QVERIFY2(reason->text().contains("Enter cuts"), qPrintable(reason->text()));
   key(Qt::Key_Escape);
   QCOMPARE(reason->text(), model()->reason());
@@ -191,7 +191,7 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   key(Qt::Key_K);
   key(Qt::Key_J);  // another thing altogether
   QVERIFY(!pictures->isCutting());
-  QVERIFY(station_->findChild<QLabel*>("reason")->text().contains("Which front"));
+  QVERIFY(screen_->findChild<QLabel*>("reason")->text().contains("Which front"));
   key(Qt::Key_K);
   QVERIFY(pictures->isCutting());
   // Four steps to the right, turned from upright by three times five degrees.
@@ -234,8 +234,8 @@ void ReviewWindowTest::aBackThatNoFrontHoldsHasACardOfItsOwn() {
   click(lone);
   QTRY_COMPARE(model()->rowInHand(), lone);
   QCOMPARE(model()->front(), -1);
-  QVERIFY(station_->findChild<QLabel*>("reason")->text().contains("No front holds this back"));
-  QVERIFY(!station_->findChild<QPushButton*>("acceptButton")->isEnabled());
+  QVERIFY(screen_->findChild<QLabel*>("reason")->text().contains("No front holds this back"));
+  QVERIFY(!screen_->findChild<QPushButton*>("acceptButton")->isEnabled());
   key(Qt::Key_B);  // nothing to settle: nothing happens
   key(Qt::Key_Right, Qt::ShiftModifier);
   key(Qt::Key_S);
@@ -286,18 +286,18 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   model()->select(2);
   model()->joinWith(batch::Side::Front, model()->rowOf(3));
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
-  const QString said = station_->findChild<QLabel*>("message")->text();
+  const QString said = screen_->findChild<QLabel*>("message")->text();
   QVERIFY2(said.contains("keeps the number ARM1-0012-2, and ARM1-0012-3 has no fragment"),
            qPrintable(said));
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
-  QVERIFY(station_->findChild<QLabel*>("message")->text().startsWith("Undone"));
+  QVERIFY(screen_->findChild<QLabel*>("message")->text().startsWith("Undone"));
   model()->select(2);
   QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   key(Qt::Key_K);
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
-  const QString cut = station_->findChild<QLabel*>("message")->text();
+  const QString cut = screen_->findChild<QLabel*>("message")->text();
   QVERIFY2(cut.contains("number ARM1-0012-2 goes to the half"), qPrintable(cut));
 }
 
@@ -312,7 +312,7 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
   };
   const int held = model()->trial().back;
   key(Qt::Key_J, Qt::ShiftModifier);
-  QVERIFY(station_->findChild<QLabel*>("reason")->text().startsWith("Which back belongs"));
+  QVERIFY(screen_->findChild<QLabel*>("reason")->text().startsWith("Which back belongs"));
   key(Qt::Key_Down);
   key(Qt::Key_Down);
   QCOMPARE(model()->rowInHand(), 0);  // only marked
@@ -327,7 +327,7 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   QVERIFY(backs(held, 3));
   // What is marked is what the keys act on.
-  auto* cards = station_->findChild<QListView*>("cards");
+  auto* cards = screen_->findChild<QListView*>("cards");
   const auto marked = [&] {
     const QModelIndexList rows = cards->selectionModel()->selectedIndexes();
     return rows.size() == 1 ? rows[0].row() : -1;
@@ -370,7 +370,7 @@ void ReviewWindowTest::theQueueFollowsWhatIsDecided() {
   // The pairs are others than before: their models are still to be made.
   QCOMPARE(batchState(), catalogue::BatchState::Review);
   QVERIFY(stateWords(queue.row(0)).startsWith("Decided: reprocess"));
-  QVERIFY(station_->findChild<QPushButton*>("compute")->isVisible());
+  QVERIFY(screen_->findChild<QPushButton*>("compute")->isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(queue.row(0).figures->ask, 1);
   queue.setSession(nullptr);
@@ -382,7 +382,7 @@ void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
   key(Qt::Key_Return);
   QTRY_COMPARE(model()->waiting(), 0);
   QTRY_COMPARE(batchState(), catalogue::BatchState::Done);
-  QVERIFY(!station_->findChild<QPushButton*>("compute")->isVisible());
+  QVERIFY(!screen_->findChild<QPushButton*>("compute")->isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(model()->waiting(), 2);
@@ -391,7 +391,7 @@ void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
 
 void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
   open(4, true);
-  const auto* compute = station_->findChild<QPushButton*>("compute");
+  const auto* compute = screen_->findChild<QPushButton*>("compute");
   key(Qt::Key_J, Qt::ShiftModifier);
   key(Qt::Key_Down);
   key(Qt::Key_Down);
@@ -410,7 +410,7 @@ void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
 
 void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   open(3, true);
-  auto* bar = station_->findChild<QWidget*>("scaleInDoubt");
+  auto* bar = screen_->findChild<QWidget*>("scaleInDoubt");
   QVERIFY(!bar->isVisible());
   catalogue::Catalogue& rows = session_->project().catalogue();
   catalogue::BatchRecord held = *rows.batchByNumber("B0001");
@@ -418,9 +418,9 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QVERIFY(rows.saveBatch(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(bar->isVisible());
-  const QString words = station_->findChild<QLabel*>("scaleWords")->text();
+  const QString words = screen_->findChild<QLabel*>("scaleWords")->text();
   QVERIFY2(words.contains("50 mm measure 49.5 mm") && words.contains("B0001"), qPrintable(words));
-  QSignalSpy asked(station_, &Station::wantsStation);
+  QSignalSpy asked(screen_, &Screen::wantsScreen);
   QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
   QCOMPARE(asked.count(), 1);
   QCOMPARE(asked.at(0).at(0).toString(), QStringLiteral("queue"));
@@ -435,11 +435,11 @@ void ReviewWindowTest::whatDecidesIsInSightHoweverLargeTheLetters() {
     applyLook(*qApp, Theme::Light, percent);
     open(4);
     window_->centralWidget()->setMinimumSize(0, 0);
-    station_->setCompact(690 * 100 / percent < Look::kCompactBelow);  // as the window does
-    window_->resize(980, 590);  // what the rail and the lines leave of 1280 x 690 at 200 %
+    screen_->setCompact(690 * 100 / percent < Look::kCompactBelow);  // as the window does
+    window_->resize(980, 590);  // what the sidebar and the lines leave of 1280 x 690 at 200 %
     QTRY_COMPARE(window_->size(), QSize(980, 590));
     for (const char* name : {"acceptButton", "reason", "candidate1", "otherBacks"}) {
-      const auto* widget = station_->findChild<QWidget*>(name);
+      const auto* widget = screen_->findChild<QWidget*>(name);
       QVERIFY2(widget != nullptr, name);
       QTRY_VERIFY2(widget->visibleRegion().boundingRect() == widget->rect(),
                    qPrintable(QStringLiteral("%1 at %2 %").arg(name).arg(percent)));
@@ -451,7 +451,7 @@ void ReviewWindowTest::whatDecidesIsInSightHoweverLargeTheLetters() {
 
 void ReviewWindowTest::everyControlHasAName() {
   open(4);
-  QTRY_VERIFY(station_->findChild<QWidget*>("candidate1") != nullptr);
+  QTRY_VERIFY(screen_->findChild<QWidget*>("candidate1") != nullptr);
   const QStringList nameless = namelessIn(*window_);
   QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QLatin1Char('\n'))));
 }

@@ -55,7 +55,7 @@ std::size_t TwoBatchesTest::entered(const std::string& number) {
 // The window asks for it at the first Enter, see open().
 void TwoBatchesTest::theNameIsAskedForUntilItIsThere() {
   open(4, true);
-  const auto* message = station_->findChild<QLabel*>("message");
+  const auto* message = screen_->findChild<QLabel*>("message");
   QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
 }
 
@@ -63,7 +63,7 @@ void TwoBatchesTest::nothingIsDecidedWhileAnotherBatchOpens() {
   open(4, true);
   const pipeline::SyntheticOut second = addBatch("B0002");
   QCOMPARE(shown(), QStringLiteral("B0001"));
-  station_->showItem("B0002");
+  screen_->showItem("B0002");
   key(Qt::Key_Return);  // the card that was there a moment ago
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
   QVERIFY(standingOnDisk().empty());
@@ -75,13 +75,13 @@ void TwoBatchesTest::nothingIsDecidedWhileAnotherBatchOpens() {
   QCOMPARE(entered("B0001"), std::size_t{0});
 }
 
-// The rail would show the questions of one project in the next.
+// The sidebar would show the questions of one project in the next.
 void TwoBatchesTest::nothingWaitsWhereTheProjectIsClosed() {
   open(4, true);
-  QVERIFY(station_->waiting() > 0);
+  QVERIFY(screen_->waiting() > 0);
   int waiting = -1;
-  connect(station_, &Station::waitingChanged, this, [&] { waiting = station_->waiting(); });
-  station_->closeProject();
+  connect(screen_, &Screen::waitingChanged, this, [&] { waiting = screen_->waiting(); });
+  screen_->closeProject();
   QCOMPARE(waiting, 0);
 }
 
@@ -89,8 +89,8 @@ void TwoBatchesTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {
   open(4, true);
   const pipeline::SyntheticOut second = addBatch("B0002");
   std::ofstream(second.output / "work" / "pairs" / "candidates.json") << "{ half";
-  station_->showItem("B0002");
-  auto* message = station_->findChild<QLabel*>("message");
+  screen_->showItem("B0002");
+  auto* message = screen_->findChild<QLabel*>("message");
   QTRY_VERIFY2(message->text().contains("candidates.json"), qPrintable(message->text()));
   QVERIFY(!model()->isOpen());
   key(Qt::Key_Return);
@@ -105,8 +105,8 @@ void TwoBatchesTest::aBatchThatIsBeingComputedIsNotOpened() {
   const std::filesystem::path report = second.output / "report.json";
   const std::string bytes = *readFile(report);
   std::filesystem::remove(report);
-  station_->showItem("B0002");
-  auto* message = station_->findChild<QLabel*>("message");
+  screen_->showItem("B0002");
+  auto* message = screen_->findChild<QLabel*>("message");
   QTRY_VERIFY2(message->text().contains("not computed to its end"), qPrintable(message->text()));
   QVERIFY(!model()->isOpen());
   key(Qt::Key_Return);
@@ -123,14 +123,14 @@ void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
   key(Qt::Key_Return);
   QTRY_COMPARE(entered("B0001"), std::size_t{1});
   const pipeline::SyntheticOut second = addBatch("B0002");
-  station_->showItem("B0002");
+  screen_->showItem("B0002");
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
   QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   key(Qt::Key_2);
   QTRY_COMPARE(model()->chosen(), 1);
   key(Qt::Key_Return);
   QTRY_COMPARE(entered("B0002"), std::size_t{1});
-  station_->showItem("B0001");
+  screen_->showItem("B0001");
   QTRY_COMPARE(shown(), QStringLiteral("B0001"));
   // What is taken back is shown, for it is not what one is looking at.
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -160,13 +160,13 @@ void TwoBatchesTest::twoBatchesTakenBackAtOnceBothWantAPersonAgain() {
     return keptFigures(session_->project().catalogue(), number).value_or(BatchFigures{}).decided;
   };
   for (const char* number : {"B0001", "B0002"}) {
-    station_->showItem(number);
+    screen_->showItem(number);
     QTRY_COMPARE(shown(), QString(number));
     key(Qt::Key_Return);
     QTRY_COMPARE(decided(number), 1);
   }
   const pipeline::SyntheticOut third = addBatch("B0003");
-  station_->showItem("B0003");
+  screen_->showItem("B0003");
   QTRY_COMPARE(shown(), QStringLiteral("B0003"));
   session_->undo().undo();
   session_->undo().undo();
@@ -178,7 +178,7 @@ void TwoBatchesTest::twoBatchesTakenBackAtOnceBothWantAPersonAgain() {
 void TwoBatchesTest::enterInTheListOfBatchesOnlyChooses() {
   open(4, true);
   const pipeline::SyntheticOut second = addBatch("B0002");
-  auto* batches = station_->findChild<QComboBox*>("batch");
+  auto* batches = screen_->findChild<QComboBox*>("batch");
   QCOMPARE(batches->count(), 2);
   QTest::mouseClick(batches, Qt::LeftButton);
   QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
@@ -187,7 +187,7 @@ void TwoBatchesTest::enterInTheListOfBatchesOnlyChooses() {
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
   QVERIFY(standingOnDisk().empty());
   QVERIFY(pipeline::readDecisions(second.output)->empty());
-  auto* message = station_->findChild<QLabel*>("message");
+  auto* message = screen_->findChild<QLabel*>("message");
   QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
   batches->setFocus(Qt::TabFocusReason);  // the list is closed: there is nothing to choose
   QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
@@ -199,18 +199,18 @@ void TwoBatchesTest::joiningAndCuttingEndWithTheBatch() {
   open(4, true);
   const pipeline::SyntheticOut second = addBatch("B0002");
   const auto isOn = [this](const char* mode) {
-    return station_->findChild<QAction*>(mode)->isChecked();
+    return screen_->findChild<QAction*>(mode)->isChecked();
   };
   key(Qt::Key_K);
   QVERIFY(isOn("cut"));
-  station_->showItem("B0002");
+  screen_->showItem("B0002");
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
   QVERIFY(!isOn("cut"));
   key(Qt::Key_J);
   QVERIFY(isOn("join"));
   session_->tellBatchChanged("B0002");  // nothing of it is new
   QVERIFY(isOn("join"));
-  station_->showItem("B0001");
+  screen_->showItem("B0001");
   QTRY_COMPARE(shown(), QStringLiteral("B0001"));
   QVERIFY(!isOn("join"));
   key(Qt::Key_Return);
@@ -233,7 +233,7 @@ void TwoBatchesTest::whatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened() {
     QVERIFY(pipeline::appendDecision(out_.output, confirmed).has_value());
   }
   QCOMPARE(entered("B0001"), std::size_t{0});
-  station_->showItem("B0001");
+  screen_->showItem("B0001");
   QTRY_COMPARE(entered("B0001"), std::size_t{2});
   QTRY_COMPARE(batchState(), catalogue::BatchState::Done);
   QCOMPARE(queue.row(0).state, QueueState::Done);

@@ -10,28 +10,28 @@ namespace ostraka::capture {
 struct PlateMap;
 struct MapPiece;
 
-struct FreeRoomOptions {
+struct ClearanceOptions {
   double gap_mm = 12;              ///< between two sherds: a finger's width
   double usual_extent_mm = 50;     ///< of a sherd, while none lies on the plate
   double smallest_extent_mm = 25;  ///< fingers do not lay smaller ones closer
 };
 
 /// Room for more sherds on the plate.
-struct FreeRoom {
+struct Clearance {
   double extent_mm = 0;                 ///< of a further sherd: the lower median of those there
   std::vector<Eigen::Vector2d> places;  ///< middles of discs of that extent, on the plate, mm
 };
 /// Places are laid close to what is there already, one after the other: about as many as a person
 /// lays, not the most that fit. What the picture does not show is not free. About 5 ms.
-FreeRoom freeRoom(const PlateMap& map, const std::vector<MapPiece>& pieces,
-                  const FreeRoomOptions& options);
+Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
+                    const ClearanceOptions& options);
 
 struct LookWithRoom {
-  PlateLook look;
-  FreeRoom room;  ///< without places where the plate's place is not seen
+  PlateInspection look;
+  Clearance room;  ///< without places where the plate's place is not seen
 };
-/// lookAtPlate, and how many more have room. Errors: as lookAtPlate.
+/// inspectPlate, and how many more have room. Errors: as inspectPlate.
 Result<LookWithRoom> lookForRoom(std::string_view picture, const batch::Plate& plate,
-                                 const LookOptions& look, const FreeRoomOptions& room);
+                                 const InspectionOptions& look, const ClearanceOptions& room);
 
 }  // namespace ostraka::capture

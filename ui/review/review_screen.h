@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "pipeline/decisions.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/review/review_work.h"
 
@@ -21,13 +21,13 @@ class EmptyState;
 class PairReviewModel;
 class ReviewPane;
 
-/// The station Review: which batch, who decides, and the pane.
-class ReviewStation final : public Station {
+/// The screen Review: which batch, who decides, and the pane.
+class ReviewScreen final : public Screen {
   Q_OBJECT
 
  public:
-  explicit ReviewStation(QWidget* parent = nullptr);
-  ~ReviewStation() override;
+  explicit ReviewScreen(QWidget* parent = nullptr);
+  ~ReviewScreen() override;
 
   QString title() const override { return tr("Review"); }
   QString iconName() const override { return QStringLiteral("review"); }

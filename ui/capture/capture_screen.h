@@ -3,7 +3,7 @@
 
 #include "ui/capture/import_batch.h"
 #include "ui/capture/rig_source.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 
 class QAction;
 class QLabel;
@@ -29,11 +29,11 @@ class StopBoard;
 class Thumbnails;
 
 /// The wizard on the screen: one big button, Space is the next thing, Esc stops.
-class CaptureStation final : public Station {
+class CaptureScreen final : public Screen {
   Q_OBJECT
 
  public:
-  explicit CaptureStation(CaptureWizard* wizard, QWidget* parent = nullptr);
+  explicit CaptureScreen(CaptureWizard* wizard, QWidget* parent = nullptr);
 
   QString title() const override;
   QString iconName() const override;

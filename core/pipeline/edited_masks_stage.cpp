@@ -30,14 +30,14 @@ SideStrokes sideStrokes(const std::vector<MaskStroke>& strokes,
       own = strokesOn(strokes, image.side, image.camera, image.stop, photographHash(file));
     if (own.taken_again)
       side.warnings.push_back(file.filename().string() +
-                              " was taken again after its mask was mended; the strokes on the "
-                              "photograph before are left out. Look at its mask.");
+                              " was retaken after its mask was edited; the strokes on the earlier "
+                              "photograph are left out. Check its mask.");
     side.on.push_back(std::move(own.holding));
   }
   return side;
 }
 
-Result<void> mendInto(const fs::path& to, const fs::path& from,
+Result<void> editInto(const fs::path& to, const fs::path& from,
                       const std::vector<MaskStroke>& strokes) {
   if (strokes.empty()) {
     const Result<std::string> bytes = readFile(from);
@@ -54,8 +54,8 @@ Result<void> mendInto(const fs::path& to, const fs::path& from,
 
 }  // namespace
 
-Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
-                                Staged<Masks> found) {
+Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                                       Staged<Masks> found) {
   Result<std::vector<MaskStroke>> strokes = readMaskStrokes(run.options.output);
   if (!strokes) return strokes.error();
   std::erase_if(*strokes, [&](const MaskStroke& s) { return s.side != side; });
@@ -64,20 +64,20 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
   const SideStrokes own = sideStrokes(*strokes, images, run.options.output);
   const fs::path as_found = run.work / (std::string("masks_") + batch::name(side));
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    int mended = 0;
+    int edited = 0;
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (run.stop.stop_requested()) return Error::cancelled();
-      mended += own.on[i].empty() ? 0 : 1;
+      edited += own.on[i].empty() ? 0 : 1;
       const std::string name = maskName(images[i]);
-      if (Result<void> done = mendInto(folder / name, as_found / name, own.on[i]); !done)
+      if (Result<void> done = editInto(folder / name, as_found / name, own.on[i]); !done)
         return done.error();
     }
     return StageNotes{{{"strokes", strokes->size()},
                        {"strokes_sha256", sha256(toJson(*strokes).dump())},
-                       {"mended_masks", mended}},
+                       {"edited_masks", edited}},
                       own.warnings};
   };
-  const std::string name = std::string("mended_") + batch::name(side);
+  const std::string name = std::string("edited_") + batch::name(side);
   const Result<StageRecord> record = runStage(run.held, name,
                                               {{"masks", found.record.outputs_hash},
                                                {"strokes", toJson(*strokes)},

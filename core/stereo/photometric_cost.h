@@ -16,16 +16,16 @@ struct Plane {
   Eigen::Vector3f normal;  ///< camera frame, unit, towards the camera
 };
 
-struct JudgeOptions {
+struct CostOptions {
   WindowShape window;
   int best_sources = 3;  ///< the cost is the mean over this many
 };
 
 /// How well planes at one view's pixels agree with the sources.
-class Judge {
+class PhotometricCost {
  public:
-  Judge(std::span<const Frame* const> frames, int view, std::span<const Link> links,
-        const JudgeOptions& options)
+  PhotometricCost(std::span<const Frame* const> frames, int view, std::span<const Link> links,
+                  const CostOptions& options)
       : frames_(frames),
         frame_(*frames[static_cast<std::size_t>(view)]),
         links_(links),
@@ -48,17 +48,17 @@ class Judge {
   std::span<const Frame* const> frames_;
   const Frame& frame_;
   std::span<const Link> links_;
-  JudgeOptions options_;
+  CostOptions options_;
   Eigen::Vector3f ray_;
   Window window_;
   std::uint32_t active_ = ~0U;
 
-  struct Verdicts {
+  struct SourceCosts {
     int count = 0;
     std::array<float, kMaxSources> costs;
     std::array<int, kMaxSources> sources;
   };
-  Verdicts judge(const Plane& plane) const;
+  SourceCosts bySource(const Plane& plane) const;
 };
 
 }  // namespace ostraka::stereo

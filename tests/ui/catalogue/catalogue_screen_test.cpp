@@ -1,4 +1,4 @@
-#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/catalogue_screen.h"
 #include "catalogue/database.h"
 
 #include <QAccessible>
@@ -29,7 +29,7 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class CatalogueStationTest : public CatalogueWindow {
+class CatalogueScreenTest : public CatalogueWindow {
   Q_OBJECT
 
  private slots:
@@ -38,12 +38,12 @@ class CatalogueStationTest : public CatalogueWindow {
 
   void theFilterLineFindsAndItsChipsTakeAway() {
     QCOMPARE(child<QLabel>("count")->text(), QString("40 sherd(s)"));
-    QTest::keyClick(station_.get(), Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClick(screen_.get(), Qt::Key_F, Qt::ControlModifier);
     QTRY_VERIFY(child<QLineEdit>("filter")->hasFocus());
     filter("rim ware:grey");
     QCOMPARE(table()->model()->rowCount(), 7);  // every sixth of 40
-    QCOMPARE(station_->findChildren<QToolButton*>("chip").size(), 2);
-    QTest::mouseClick(station_->findChildren<QToolButton*>("chip").first(), Qt::LeftButton);
+    QCOMPARE(screen_->findChildren<QToolButton*>("chip").size(), 2);
+    QTest::mouseClick(screen_->findChildren<QToolButton*>("chip").first(), Qt::LeftButton);
     QCOMPARE(child<QLineEdit>("filter")->text(), QString("ware:grey"));
     QCOMPARE(table()->model()->rowCount(), 20);
   }
@@ -133,7 +133,7 @@ class CatalogueStationTest : public CatalogueWindow {
   void theHistoryTellsMeasuresAsPeopleReadThem() {
     choose(0);
     QStringList told;
-    for (const QTreeWidget* tree : station_->findChildren<QTreeWidget*>())
+    for (const QTreeWidget* tree : screen_->findChildren<QTreeWidget*>())
       if (tree->accessibleName() == QLatin1String("History"))
         for (int i = 0; i < tree->topLevelItemCount(); ++i) told << tree->topLevelItem(i)->text(2);
     const QStringList lengths = told.filter(QLatin1String("length, mm: "));
@@ -142,7 +142,7 @@ class CatalogueStationTest : public CatalogueWindow {
   }
 
   void withoutAMouseTheArrowsChooseWhatGetsANumber() {
-    station_->setInFront(true);
+    screen_->setInFront(true);
     child<QTableView>("sherds")->clearSelection();
     child<QAction>("giveNumbers")->trigger();
     QVERIFY(child<QLabel>("problem")->text().startsWith("Choose the sherds"));
@@ -258,7 +258,7 @@ class CatalogueStationTest : public CatalogueWindow {
     QTest::mouseMove(canvas, middle + QPoint(60, 10));
     QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(60, 10));
     QTRY_VERIFY(canvas->grabFramebuffer() != before);
-    QVERIFY2(station_->isActiveWindow(), "the first 3D view takes no focus away");
+    QVERIFY2(screen_->isActiveWindow(), "the first 3D view takes no focus away");
     choose(1);
     QVERIFY2(!pane->showsModel(), "a sherd without a model shows its picture");
   }
@@ -318,7 +318,7 @@ class CatalogueStationTest : public CatalogueWindow {
 
   void veryManyAreChangedByAWorkerAndCanBeStopped() {
     SampleProject large(400);
-    station_->openProject(large.session());
+    screen_->openProject(large.session());
     QVERIFY(400 > SherdEdits::kAtOnce);
     table()->setFocus();
     QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
@@ -347,7 +347,7 @@ class CatalogueStationTest : public CatalogueWindow {
     QTRY_VERIFY_WITH_TIMEOUT(!stop->isVisible() && table()->isEnabled(), 30000);
     QCOMPARE(large.value(1, "ware"), QString("red slipped"));
     QCOMPARE(large.value(399, "ware"), QString("red slipped"));
-    station_->closeProject();
+    screen_->closeProject();
   }
 
   void aDraftGetsTheNumberThatIsProposed() {
@@ -390,10 +390,10 @@ class CatalogueStationTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "length_mm"), QStringLiteral("53.929898797564384"));
   }
 
-  void anotherStationCanShowASherd() {
-    station_->showItem("arm1-t3-0013-0007");
+  void anotherScreenCanShowASherd() {
+    screen_->showItem("arm1-t3-0013-0007");
     QCOMPARE(table()->currentIndex().row(), 26);
-    QSignalSpy wants(station_.get(), &Station::wantsStation);
+    QSignalSpy wants(screen_.get(), &Screen::wantsScreen);
     filter("rim");
     QTest::mouseClick(child<QPushButton>("exportThese"), Qt::LeftButton);
     QCOMPARE(wants.count(), 1);
@@ -414,15 +414,15 @@ class CatalogueStationTest : public CatalogueWindow {
 
   void anEmptyProjectSaysWhatToDoFirst() {
     SampleProject empty(0);
-    station_->openProject(empty.session());
-    QVERIFY(station_->findChild<QTableView*>("sherds")->isHidden());
-    station_->closeProject();
-    QVERIFY(!station_->isEnabled());
+    screen_->openProject(empty.session());
+    QVERIFY(screen_->findChild<QTableView*>("sherds")->isHidden());
+    screen_->closeProject();
+    QVERIFY(!screen_->isEnabled());
   }
 
   void everyControlHasAName() {
     choose(0);
-    for (QWidget* widget : station_->findChildren<QWidget*>()) {
+    for (QWidget* widget : screen_->findChildren<QWidget*>()) {
       const bool control = qobject_cast<QLineEdit*>(widget) || qobject_cast<QComboBox*>(widget) ||
                            qobject_cast<QAbstractButton*>(widget) ||
                            qobject_cast<QAbstractItemView*>(widget);
@@ -453,7 +453,7 @@ class CatalogueStationTest : public CatalogueWindow {
                       .availableSizes()
                       .contains(QSize(240, 240)));
       if (!folder.isEmpty())
-        station_->grab().save(folder + "/catalogue-" + themeName(theme) + ".png");
+        screen_->grab().save(folder + "/catalogue-" + themeName(theme) + ".png");
       table()->setFocus();
       QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
       auto* value = child<QLineEdit>("bulkValue");
@@ -461,7 +461,7 @@ class CatalogueStationTest : public CatalogueWindow {
       QTest::keyClicks(value, "mould");
       QTRY_VERIFY(child<QLabel>("bulkSummary")->text().contains("change,"));
       if (!folder.isEmpty())
-        station_->grab().save(folder + "/catalogue-many-" + themeName(theme) + ".png");
+        screen_->grab().save(folder + "/catalogue-many-" + themeName(theme) + ".png");
       QVERIFY(child<QLabel>("bulkSummary")->isVisible());
     }
   }
@@ -470,7 +470,7 @@ class CatalogueStationTest : public CatalogueWindow {
 int main(int argc, char** argv) {
   prepareOpenGl();
   QApplication application(argc, argv);
-  CatalogueStationTest test;
+  CatalogueScreenTest test;
   return QTest::qExec(&test, argc, argv);
 }
-#include "catalogue_station_test.moc"
+#include "catalogue_screen_test.moc"

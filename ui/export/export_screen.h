@@ -1,6 +1,6 @@
 #pragma once
 #include "ui/export/export_model.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 
 class QCheckBox;
 class QComboBox;
@@ -13,11 +13,11 @@ class QRadioButton;
 namespace ostraka::ui {
 
 /// What, in which forms, where to; size and time before it starts, progress, and a closing line.
-class ExportStation final : public Station {
+class ExportScreen final : public Screen {
   Q_OBJECT
 
  public:
-  explicit ExportStation(QWidget* parent = nullptr);
+  explicit ExportScreen(QWidget* parent = nullptr);
 
   QString title() const override;
   QString iconName() const override { return "export"; }

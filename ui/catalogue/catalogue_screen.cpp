@@ -1,4 +1,4 @@
-#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/catalogue_screen.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -38,25 +38,25 @@
 
 namespace ostraka::ui {
 
-CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
+CatalogueScreen::CatalogueScreen(QWidget* parent) : Screen(parent) {
   model_ = new SherdTableModel(this);
   import_ = new ImportModel(this);
   buildLayout();
   addActions();
-  connect(model_, &SherdTableModel::failed, this, &CatalogueStation::complain);
+  connect(model_, &SherdTableModel::failed, this, &CatalogueScreen::complain);
   connect(model_, &QAbstractItemModel::modelReset, this, [this] {
     showCount();
     showSelection();
   });
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { showSelection(); });
-  connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
+  connect(details_, &SherdDetails::edited, this, &CatalogueScreen::saveField);
   connect(details_, &SherdDetails::confirmed, this,
           [this](const QString& field, const QString& value) {
             keepField(field, value, catalogue::Confirmation::Given);
           });
-  connect(details_, &SherdDetails::numberWanted, this, &CatalogueStation::giveNumbers);
-  connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueStation::giveNumbers);
+  connect(details_, &SherdDetails::numberWanted, this, &CatalogueScreen::giveNumbers);
+  connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueScreen::giveNumbers);
   connect(import_, &ImportModel::entered, this,
           [this](const QString& source, const exchange::ImportReport& report) {
             const QString name = source.section('/', -1);
@@ -66,15 +66,15 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
             if (report.not_reached > 0) complain(import_->problem());
             emit said(tr("Imported %1: %2").arg(name, import_->summary()));
           });
-  connect(bulk_, &BulkEdit::wanted, this, &CatalogueStation::changeAll);
+  connect(bulk_, &BulkEdit::wanted, this, &CatalogueScreen::changeAll);
   setEnabled(false);
 }
 
-QString CatalogueStation::title() const {
+QString CatalogueScreen::title() const {
   return tr("Catalogue");
 }
 
-QWidget* CatalogueStation::buildFilterLine() {
+QWidget* CatalogueScreen::buildFilterLine() {
   filter_ = new FilterLine(this);
   connect(filter_, &FilterLine::wanted, this, [this](const QString& line) {
     complain(model_->setFilter(line));
@@ -84,7 +84,7 @@ QWidget* CatalogueStation::buildFilterLine() {
   to_import->setObjectName("import");
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
                             .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
-  connect(to_import, &QPushButton::clicked, this, &CatalogueStation::openImport);
+  connect(to_import, &QPushButton::clicked, this, &CatalogueScreen::openImport);
   auto* to_export = new BigButton(this);
   to_export->setText(tr("Export these"));
   to_export->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
@@ -92,14 +92,14 @@ QWidget* CatalogueStation::buildFilterLine() {
   export_ = to_export;
   connect(to_export, &QPushButton::clicked, this, [this] {
     const QString rows = chosen();
-    emit wantsStation("export", rows.startsWith("rows:") ? rows : "filter:" + filter_->text());
+    emit wantsScreen("export", rows.startsWith("rows:") ? rows : "filter:" + filter_->text());
   });
   filter_->addButton(to_import);
   filter_->addButton(to_export);
   return filter_;
 }
 
-QWidget* CatalogueStation::buildWho() {
+QWidget* CatalogueScreen::buildWho() {
   who_ = new QWidget(this);
   auto* initials = new QLineEdit(who_);
   initials->setObjectName("initials");
@@ -120,7 +120,7 @@ QWidget* CatalogueStation::buildWho() {
 }
 
 // The table, or why there is none.
-QWidget* CatalogueStation::buildLeft() {
+QWidget* CatalogueScreen::buildLeft() {
   table_ = new QTableView(this);
   table_->setObjectName("sherds");
   table_->setAccessibleName(tr("Sherds"));
@@ -154,7 +154,7 @@ QWidget* CatalogueStation::buildLeft() {
   none_ = new EmptyState("sherd", tr("No sherds yet"),
                          tr("Sherds appear here when a batch is processed."), this);
   to_capture_ = none_->addAct(tr("Capture a batch"), "catalogueToCapture");
-  connect(to_capture_, &QPushButton::clicked, this, [this] { emit wantsStation("capture", {}); });
+  connect(to_capture_, &QPushButton::clicked, this, [this] { emit wantsScreen("capture", {}); });
   no_match_ = new EmptyState("filter", tr("No sherds match this filter"),
                              tr("Remove a condition to see more."), this);
   clear_ = no_match_->addAct(tr("Clear filter"), "clearFilter");
@@ -166,14 +166,14 @@ QWidget* CatalogueStation::buildLeft() {
   return left_;
 }
 
-void CatalogueStation::buildLayout() {
+void CatalogueScreen::buildLayout() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   column->addWidget(buildFilterLine());
   problem_ = new QLabel(this);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
-  connect(problem_, &QLabel::linkActivated, this, &CatalogueStation::forgetImports);
+  connect(problem_, &QLabel::linkActivated, this, &CatalogueScreen::forgetImports);
   problem_->hide();
   column->addWidget(problem_);
   column->addWidget(buildWho());
@@ -187,7 +187,7 @@ void CatalogueStation::buildLayout() {
   column->addWidget(split, 1);
 }
 
-QWidget* CatalogueStation::buildRight() {
+QWidget* CatalogueScreen::buildRight() {
   details_ = new SherdDetails(this);
   details_->setObjectName("details");
   bulk_ = new BulkEdit(this);
@@ -221,7 +221,7 @@ QWidget* CatalogueStation::buildRight() {
     if (!show_model_->isHidden()) setCompact(true);
   });
   right_->setCornerWidget(show_model_);
-  connect(drawing_, &DrawingPage::said, this, &Station::said);
+  connect(drawing_, &DrawingPage::said, this, &Screen::said);
   connect(drawing_, &DrawingPage::measuresWanted, this,
           [this](const std::vector<catalogue::FieldChange>& changes) {
             if (edits_) complain(edits_->change(tr("enter the rim's diameter"), changes));
@@ -229,7 +229,7 @@ QWidget* CatalogueStation::buildRight() {
   return right_;
 }
 
-void CatalogueStation::addActions() {
+void CatalogueScreen::addActions() {
   const auto add = [this](const QString& text, const QString& picture, const QKeySequence& keys,
                           const char* name, auto act) {
     auto* action = new QAction(icon(picture), text, this);
@@ -253,7 +253,7 @@ void CatalogueStation::addActions() {
 }
 
 // F2, Enter and a double click: what is chosen can be typed into at once.
-void CatalogueStation::openDetails() {
+void CatalogueScreen::openDetails() {
   right_->setCurrentWidget(edit_);
   show_model_->setChecked(false);
   if (edit_->currentWidget() == many_)
@@ -262,26 +262,26 @@ void CatalogueStation::openDetails() {
     details_->edit();
 }
 
-QAbstractButton* CatalogueStation::primary() const {
+QAbstractButton* CatalogueScreen::primary() const {
   const int shown = left_->currentIndex();
   return shown == 0 ? export_ : shown == 1 ? to_capture_ : clear_;
 }
 
 // Details and model one at a time, where both would show a line each.
-void CatalogueStation::setCompact(bool compact) {
+void CatalogueScreen::setCompact(bool compact) {
   show_model_->setVisible(compact);
   if (!compact) show_model_->setChecked(false);
   model_pane_->setVisible(!compact || show_model_->isChecked());
   details_->setVisible(!compact || !show_model_->isChecked());
 }
 
-void CatalogueStation::openProject(ProjectSession& session) {
+void CatalogueScreen::openProject(ProjectSession& session) {
   closeProject();
   session_ = &session;
   edits_ = new SherdEdits(session, this);
-  connect(edits_, &SherdEdits::changed, this, &CatalogueStation::sherdsChanged);
-  connect(edits_, &SherdEdits::failed, this, &CatalogueStation::complain);
-  connect(edits_, &SherdEdits::noted, this, &CatalogueStation::complain);
+  connect(edits_, &SherdEdits::changed, this, &CatalogueScreen::sherdsChanged);
+  connect(edits_, &SherdEdits::failed, this, &CatalogueScreen::complain);
+  connect(edits_, &SherdEdits::noted, this, &CatalogueScreen::complain);
   connect(edits_, &SherdEdits::busyChanged, this, [this] {
     bulk_->showProgress(edits_->isBusy() ? edits_->fraction() : -1);
     table_->setEnabled(!edits_->isBusy());  // what is being changed stays chosen
@@ -306,7 +306,7 @@ void CatalogueStation::openProject(ProjectSession& session) {
   tellOfImports();
 }
 
-void CatalogueStation::tellOfImports() {
+void CatalogueScreen::tellOfImports() {
   QStringList lines;
   for (const auto& left : exchange::unfinishedImports(session_->project().catalogue()))
     lines << tr("The import of %1 broke off after %2 of %3 rows; these are whole. Import it again "
@@ -320,12 +320,12 @@ void CatalogueStation::tellOfImports() {
   complain(lines.join(QStringLiteral("<br>")));
 }
 
-void CatalogueStation::forgetImports() {
+void CatalogueScreen::forgetImports() {
   const auto done = exchange::forgetUnfinishedImports(session_->project().catalogue());
   complain(done ? QString() : sentenceOf(done.error()));
 }
 
-void CatalogueStation::closeProject() {
+void CatalogueScreen::closeProject() {
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_ = nullptr;
   delete import_dialog_.data();
@@ -343,18 +343,18 @@ void CatalogueStation::closeProject() {
   setEnabled(false);
 }
 
-void CatalogueStation::setInFront(bool in_front) {
+void CatalogueScreen::setInFront(bool in_front) {
   if (in_front) table_->setFocus();  // the arrow keys choose a sherd
   if (in_front) showNewRows();
 }
 
-void CatalogueStation::showNewRows() {
+void CatalogueScreen::showNewRows() {
   if (stale_ && session_ && isVisible()) reload();
 }
 
 // What was chosen stays chosen, and what is being typed about it stays in its line: nothing else is
 // shown in between.
-void CatalogueStation::reload() {
+void CatalogueScreen::reload() {
   stale_ = false;
   const std::vector<catalogue::SherdRow> chosen = selected();
   const catalogue::SherdRow current = model_->sherdAt(table_->currentIndex().row());
@@ -373,8 +373,8 @@ void CatalogueStation::reload() {
 }
 
 // Those of them that are in the table.
-void CatalogueStation::choose(const std::vector<catalogue::SherdRow>& sherds,
-                              catalogue::SherdRow current) {
+void CatalogueScreen::choose(const std::vector<catalogue::SherdRow>& sherds,
+                             catalogue::SherdRow current) {
   std::vector<int> rows;
   for (const catalogue::SherdRow sherd : sherds)
     if (const int row = model_->rowOf(sherd); row >= 0) rows.push_back(row);
@@ -390,7 +390,7 @@ void CatalogueStation::choose(const std::vector<catalogue::SherdRow>& sherds,
     table_->selectionModel()->setCurrentIndex(model_->index(row, 0), QItemSelectionModel::NoUpdate);
 }
 
-void CatalogueStation::showItem(const QString& what) {
+void CatalogueScreen::showItem(const QString& what) {
   if (!session_) return;
   const auto sherd = session_->project().catalogue().sherdByNumber(what.toStdString());
   if (!sherd || !*sherd) {
@@ -405,14 +405,14 @@ void CatalogueStation::showItem(const QString& what) {
   table_->scrollTo(model_->index(model_->rowOf(*sherd), 0), QAbstractItemView::PositionAtCenter);
 }
 
-void CatalogueStation::showCount() {
+void CatalogueScreen::showCount() {
   const int rows = model_->rowCount();
   filter_->showCount(rows);
   left_->setCurrentIndex(rows > 0 ? 0 : model_->filter().conditions.empty() ? 1 : 2);
   export_->setEnabled(rows > 0);  // the one thing to do is another then
 }
 
-std::vector<catalogue::SherdRow> CatalogueStation::selected() const {
+std::vector<catalogue::SherdRow> CatalogueScreen::selected() const {
   std::vector<catalogue::SherdRow> sherds;
   for (const QItemSelectionRange& range : table_->selectionModel()->selection())
     for (int row = range.top(); row <= range.bottom(); ++row)
@@ -421,13 +421,13 @@ std::vector<catalogue::SherdRow> CatalogueStation::selected() const {
 }
 
 // One alone is the one that is looked at, and perhaps meant.
-QString CatalogueStation::chosen() const {
+QString CatalogueScreen::chosen() const {
   QStringList rows;
   for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
   return rows.isEmpty() ? QString() : (rows.size() > 1 ? "rows:" : "row:") + rows.join(',');
 }
 
-void CatalogueStation::showSelection() {
+void CatalogueScreen::showSelection() {
   if (reloading_) return;
   const std::vector<catalogue::SherdRow> sherds = selected();
   if (!session_ || sherds.empty()) {
@@ -445,7 +445,7 @@ void CatalogueStation::showSelection() {
   drawing_->setSherds(session_, sherds);
 }
 
-void CatalogueStation::showModelOf(catalogue::SherdRow row) {
+void CatalogueScreen::showModelOf(catalogue::SherdRow row) {
   const auto sherd = session_->project().catalogue().sherd(row);
   const auto whole = [&](const std::string& path) {
     return path.empty() ? QString() : QString::fromStdString((session_->folder() / path).string());
@@ -456,7 +456,7 @@ void CatalogueStation::showModelOf(catalogue::SherdRow row) {
     model_pane_->clear();
 }
 
-void CatalogueStation::openImport() {
+void CatalogueScreen::openImport() {
   if (!session_) return;
   if (!import_dialog_) {
     import_->openProject(session_);
@@ -467,13 +467,13 @@ void CatalogueStation::openImport() {
   import_dialog_->activateWindow();
 }
 
-void CatalogueStation::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {
+void CatalogueScreen::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {
   complain({});
   model_->refresh(sherds);
   showSelection();
 }
 
-void CatalogueStation::complain(const QString& sentence) {
+void CatalogueScreen::complain(const QString& sentence) {
   problem_->setText(sentence);
   // Only what says something can be reached by keyboard.
   problem_->setTextInteractionFlags(sentence.isEmpty() ? Qt::NoTextInteraction

@@ -1,4 +1,4 @@
-#include "capture/free_room.h"
+#include "capture/clearance.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -11,7 +11,7 @@ namespace {
 constexpr double kStep_mm = 2;  // counting room needs no finer grid
 constexpr std::size_t kMost = 60;
 
-double extentOf(const std::vector<MapPiece>& pieces, const FreeRoomOptions& options) {
+double extentOf(const std::vector<MapPiece>& pieces, const ClearanceOptions& options) {
   std::vector<double> extents;
   for (const MapPiece& piece : pieces)
     if (!piece.cut_off) extents.push_back(piece.extent_mm);
@@ -23,9 +23,9 @@ double extentOf(const std::vector<MapPiece>& pieces, const FreeRoomOptions& opti
 
 }  // namespace
 
-FreeRoom freeRoom(const PlateMap& map, const std::vector<MapPiece>& pieces,
-                  const FreeRoomOptions& options) {
-  FreeRoom room;
+Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
+                    const ClearanceOptions& options) {
+  Clearance room;
   room.extent_mm = extentOf(pieces, options);
   if (map.radius_mm <= 0 || map.seen.empty()) return room;
   // 255 where a sherd may lie, on a grid of its own with a border that may not.
@@ -80,12 +80,12 @@ FreeRoom freeRoom(const PlateMap& map, const std::vector<MapPiece>& pieces,
 }
 
 Result<LookWithRoom> lookForRoom(std::string_view picture, const batch::Plate& plate,
-                                 const LookOptions& look, const FreeRoomOptions& room) {
-  Result<MappedLook> mapped = lookAndMap(picture, plate, look);
+                                 const InspectionOptions& look, const ClearanceOptions& room) {
+  Result<MappedInspection> mapped = inspectAndMap(picture, plate, look);
   if (!mapped) return mapped.error();
   LookWithRoom seen{std::move(mapped->look), {}};
   if (seen.look.pixel_from_plate)
-    seen.room = freeRoom(mapped->map, piecesOf(mapped->map, look.smallest_sherd_mm), room);
+    seen.room = clearance(mapped->map, piecesOf(mapped->map, look.smallest_sherd_mm), room);
   return seen;
 }
 

@@ -1,4 +1,4 @@
-#include "ui/export/export_station.h"
+#include "ui/export/export_screen.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -18,16 +18,16 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class ExportStationTest : public QObject {
+class ExportScreenTest : public QObject {
   Q_OBJECT
 
  private:
   std::unique_ptr<SampleProject> sample_;
-  std::unique_ptr<ExportStation> station_;
+  std::unique_ptr<ExportScreen> screen_;
 
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(name);
+    T* found = screen_->findChild<T*>(name);
     if (!found) qFatal("no %s", name);
     return found;
   }
@@ -41,24 +41,24 @@ class ExportStationTest : public QObject {
  private slots:
   void init() {
     sample_ = std::make_unique<SampleProject>(40);
-    station_ = std::make_unique<ExportStation>();
-    station_->resize(1280, 720);
-    station_->openProject(sample_->session());
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    screen_ = std::make_unique<ExportScreen>();
+    screen_->resize(1280, 720);
+    screen_->openProject(sample_->session());
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
   }
   void cleanup() {
-    station_.reset();
+    screen_.reset();
     sample_.reset();
   }
 
   void theSizeIsShownBeforeItStarts() {
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("40 sherd(s), 83 files"));
-    station_->showItem("filter:rim");
+    screen_->showItem("filter:rim");
     QVERIFY(child<QRadioButton>("filtered")->isChecked());
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("14 sherd(s)"));
-    station_->showItem(
+    screen_->showItem(
         QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("2 sherd(s)"));
     QVERIFY(child<QRadioButton>("chosen")->isChecked());
@@ -72,9 +72,9 @@ class ExportStationTest : public QObject {
     QCOMPARE(child<QLineEdit>("target")->text(), proposed(*sample_));
     toFolder("typed");
     SampleProject other(1, "other");
-    station_->closeProject();
+    screen_->closeProject();
     QCOMPARE(child<QLineEdit>("target")->text(), QString());
-    station_->openProject(other.session());
+    screen_->openProject(other.session());
     QCOMPARE(child<QLineEdit>("target")->text(), proposed(other));
   }
 
@@ -90,16 +90,16 @@ class ExportStationTest : public QObject {
     }
     toFolder("Hill");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
-    QVERIFY2(station_->model().state() == ExportModel::State::Done,
-             qPrintable(station_->model().problem()));
+    QVERIFY2(screen_->model().state() == ExportModel::State::Done,
+             qPrintable(screen_->model().problem()));
     SampleProject other(1, "other");  // has choices of its own
-    station_->openProject(other.session());
+    screen_->openProject(other.session());
     QVERIFY(!form(exchange::Form::Drawings)->isChecked());
     QVERIFY(form(exchange::Form::Csv)->isChecked());
-    station_->openProject(sample_->session());
+    screen_->openProject(sample_->session());
     QVERIFY(form(exchange::Form::Drawings)->isChecked());
     QVERIFY(!form(exchange::Form::Csv)->isChecked());
     QCOMPARE(child<QComboBox>("exportScale")->currentText(), QString("fit to A4"));
@@ -111,7 +111,7 @@ class ExportStationTest : public QObject {
   void theNextExportIsProposedANameThatIsFree() {
     toFolder("out");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
     child<QLineEdit>("target")->clearFocus();
@@ -121,14 +121,14 @@ class ExportStationTest : public QObject {
   }
 
   void whatWasChosenInTheCatalogueComesAlong() {
-    station_->takeChosen({});
+    screen_->takeChosen({});
     QVERIFY(!child<QRadioButton>("chosen")->isEnabled());
     QVERIFY(child<QRadioButton>("all")->isChecked());
     // The one that is looked at is perhaps meant, and perhaps not.
-    station_->takeChosen(QString("row:%1").arg(sample_->sherds()[0].value));
+    screen_->takeChosen(QString("row:%1").arg(sample_->sherds()[0].value));
     QCOMPARE(child<QRadioButton>("chosen")->isEnabled(), true);
     QCOMPARE(child<QRadioButton>("chosen")->isChecked(), false);
-    station_->takeChosen(
+    screen_->takeChosen(
         QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
     QVERIFY(child<QRadioButton>("chosen")->isChecked());
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("2 sherd(s)"));
@@ -137,42 +137,42 @@ class ExportStationTest : public QObject {
   void escStopsAnExportAndTheFootTellsOfIt() {
     toFolder("stopped");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
-    const QSignalSpy working(station_.get(), &Station::working);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
+    const QSignalSpy working(screen_.get(), &Screen::working);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
-    QVERIFY(station_->model().state() == ExportModel::State::Running);
-    QVERIFY(station_->losesByClosing().contains("Close once more"));
+    QVERIFY(screen_->model().state() == ExportModel::State::Running);
+    QVERIFY(screen_->losesByClosing().contains("Close once more"));
     QVERIFY(working.count() > 0 && working.back().front().toString().startsWith("Export: "));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
-    QVERIFY(station_->model().state() == ExportModel::State::Failed);
-    QVERIFY(station_->losesByClosing().isEmpty());
+    QVERIFY(screen_->model().state() == ExportModel::State::Failed);
+    QVERIFY(screen_->losesByClosing().isEmpty());
     QVERIFY(working.back().front().toString().isEmpty());
   }
 
   void theSizeIsNotCountedWhileNobodyLooks() {
     auto* size = child<QLabel>("size");
     QTRY_VERIFY(size->text().startsWith("40 sherd(s)"));
-    station_->hide();
+    screen_->hide();
     sample_->addDraft();
     sample_->session().tellSherdsChanged();
     QTest::qWait(0);
-    QVERIFY(!station_->model().canStart());
-    QCOMPARE(station_->model().sizeText(), QString("Counting…"));
-    QVERIFY(station_->model().findChildren<JobHandle*>().isEmpty());
-    station_->show();
+    QVERIFY(!screen_->model().canStart());
+    QCOMPARE(screen_->model().sizeText(), QString("Counting…"));
+    QVERIFY(screen_->model().findChildren<JobHandle*>().isEmpty());
+    screen_->show();
     QTRY_VERIFY(size->text().startsWith("41 sherd(s)"));
   }
 
   void anExportEndsWithAClosingLineAndAFolder() {
     toFolder("out");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
-    const QSignalSpy said(station_.get(), &Station::said);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
+    const QSignalSpy said(screen_.get(), &Screen::said);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
-    QVERIFY2(station_->model().state() == ExportModel::State::Done,
-             qPrintable(station_->model().problem()));
+    QVERIFY2(screen_->model().state() == ExportModel::State::Done,
+             qPrintable(screen_->model().problem()));
     QVERIFY(child<QLabel>("closing")->text().startsWith("40 sherd(s), "));
     QVERIFY(child<QLabel>("closing")->text().endsWith("manifest checked"));
     QVERIFY(child<QPushButton>("open")->isVisible());
@@ -195,7 +195,7 @@ class ExportStationTest : public QObject {
 
   void drawingsGoBesideTheModels() {
     sample_->giveModel(1);  // a body sherd
-    station_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
+    screen_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
     auto* drawings = child<QCheckBox>(
         qPrintable("form" + QString::number(static_cast<int>(exchange::Form::Drawings))));
     QVERIFY(!drawings->isChecked());
@@ -207,10 +207,10 @@ class ExportStationTest : public QObject {
     toFolder("drawn");
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 19 files"));
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
-    QCOMPARE(station_->model().warnings(), QStringList());
+    QCOMPARE(screen_->model().warnings(), QStringList());
     QVERIFY(child<QLabel>("closing")->text().endsWith("manifest checked"));
     const QString base = sample_->folder() + "/drawn/data/drawings/ARM1-T3-0013-0001.";
     QVERIFY(QFileInfo(base + "svg").size() > 10000);
@@ -222,7 +222,7 @@ class ExportStationTest : public QObject {
 
   void lighterModelsStateHowFarTheyAreOff() {
     sample_->giveModel(1);
-    station_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
+    screen_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
     auto* detail = child<QComboBox>("exportDetail");
     QCOMPARE(detail->currentText(), QString("Full detail"));
     detail->setFocus();
@@ -231,10 +231,10 @@ class ExportStationTest : public QObject {
     QVERIFY(detail->currentText().contains("0.2 mm"));
     toFolder("lighter");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
-    QCOMPARE(station_->model().problem(), QString());
+    QCOMPARE(screen_->model().problem(), QString());
     QFile ply(sample_->folder() + "/lighter/data/models/ARM1-T3-0013-0001.ply");
     QVERIFY(ply.open(QIODevice::ReadOnly));
     QVERIFY(ply.readAll().contains("comment lighter than the model as computed: 99.9 % within 0."));
@@ -243,9 +243,9 @@ class ExportStationTest : public QObject {
   void stoppingLeavesNothingBehind() {
     toFolder("stopped");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
-    station_->model().cancel();
+    screen_->model().cancel();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
     QVERIFY(child<QLabel>("problem")->text().contains("Nothing was left behind"));
     QVERIFY(!QFileInfo::exists(sample_->folder() + "/stopped"));
@@ -253,14 +253,14 @@ class ExportStationTest : public QObject {
   }
 
   void aFilterThatIsNotUnderstoodIsNamed() {
-    station_->showItem("filter:colour:red");
+    screen_->showItem("filter:colour:red");
     QTRY_VERIFY(child<QLabel>("problem")->text().contains("colour"));
     QVERIFY(!child<QPushButton>("start")->isEnabled());
   }
 
   void withoutAFormThereIsNothingToDo() {
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
-    for (QCheckBox* form : station_->findChildren<QCheckBox*>())
+    for (QCheckBox* form : screen_->findChildren<QCheckBox*>())
       if (form->isChecked())
         QTest::mouseClick(form, Qt::LeftButton, {}, QPoint(8, form->height() / 2));
     QTRY_VERIFY(!child<QPushButton>("start")->isEnabled());
@@ -272,13 +272,13 @@ class ExportStationTest : public QObject {
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
     for (const Theme theme : {Theme::Light, Theme::Dark}) {
       applyLook(*qApp, theme, 100);
-      QTRY_COMPARE(station_->palette().color(QPalette::Window),
+      QTRY_COMPARE(screen_->palette().color(QPalette::Window),
                    qApp->palette().color(QPalette::Window));
-      if (!folder.isEmpty()) station_->grab().save(folder + "/export-" + themeName(theme) + ".png");
+      if (!folder.isEmpty()) screen_->grab().save(folder + "/export-" + themeName(theme) + ".png");
       QVERIFY(child<QLabel>("size")->isVisible());
     }
   }
 };
 
-QTEST_MAIN(ExportStationTest)
-#include "export_station_test.moc"
+QTEST_MAIN(ExportScreenTest)
+#include "export_screen_test.moc"

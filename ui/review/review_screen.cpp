@@ -1,4 +1,4 @@
-#include "ui/review/review_station.h"
+#include "ui/review/review_screen.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -48,7 +48,7 @@ QStringList reviewable(const fs::path& results) {
 
 }  // namespace
 
-ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
+ReviewScreen::ReviewScreen(QWidget* parent) : Screen(parent) {
   batches_ = new QComboBox(this);
   batches_->setObjectName("batch");
   batches_->setAccessibleName(tr("Batch"));
@@ -81,7 +81,7 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
                           this);
   to_capture_ = empty_->addAct(tr("Capture a batch"), QStringLiteral("reviewToCapture"));
   connect(to_capture_, &QPushButton::clicked, this,
-          [this] { emit wantsStation(QStringLiteral("capture"), {}); });
+          [this] { emit wantsScreen(QStringLiteral("capture"), {}); });
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGap, Look::kGap, Look::kGap, Look::kGap);
   all->addLayout(head);
@@ -93,29 +93,29 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
     if (session_) session_->setInitials(person_->text().trimmed());
     if (pane_) pane_->setFocus();
   });
-  connect(compute_, &QPushButton::clicked, this, &ReviewStation::compute);
+  connect(compute_, &QPushButton::clicked, this, &ReviewScreen::compute);
 }
 
-ReviewStation::~ReviewStation() = default;
+ReviewScreen::~ReviewScreen() = default;
 
-QAbstractButton* ReviewStation::primary() const {
+QAbstractButton* ReviewScreen::primary() const {
   if (!empty_->isHidden() || !pane_) return to_capture_;
   return pane_->accept();
 }
 
-void ReviewStation::setCompact(bool compact) {
+void ReviewScreen::setCompact(bool compact) {
   compact_ = compact;
   if (pane_) pane_->setCompact(compact);
 }
 
 // Enter in the open list is the list's alone. Qt closes it before the shortcuts are asked, and then
 // the pair that one leaves would be accepted.
-bool ReviewStation::eventFilter(QObject* watched, QEvent* event) {
+bool ReviewScreen::eventFilter(QObject* watched, QEvent* event) {
   if (watched == batches_->view() && event->type() == QEvent::ShortcutOverride) event->accept();
-  return Station::eventFilter(watched, event);
+  return Screen::eventFilter(watched, event);
 }
 
-QWidget* ReviewStation::buildScale() {
+QWidget* ReviewScreen::buildScale() {
   scale_ = new QFrame(this);
   scale_->setObjectName("scaleInDoubt");
   scale_->setFrameShape(QFrame::StyledPanel);
@@ -126,7 +126,7 @@ QWidget* ReviewStation::buildScale() {
   auto* report = new QPushButton(icon(QStringLiteral("report")), tr("Show report"), scale_);
   report->setFocusPolicy(Qt::TabFocus);
   connect(report, &QPushButton::clicked, this,
-          [this] { emit wantsStation(QStringLiteral("queue"), batch_); });
+          [this] { emit wantsScreen(QStringLiteral("queue"), batch_); });
   auto* row = new QHBoxLayout(scale_);
   row->addWidget(scale_words_, 1);
   row->addWidget(report);
@@ -136,7 +136,7 @@ QWidget* ReviewStation::buildScale() {
 
 // A batch that is held for its scale, or has none, says so beside its pairs: nothing here can
 // settle it.
-void ReviewStation::showScale() {
+void ReviewScreen::showScale() {
   QString doubts;
   if (session_ && session_->hasProject())
     if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
@@ -152,7 +152,7 @@ void ReviewStation::showScale() {
   scale_->setVisible(none || !doubts.isEmpty());
 }
 
-void ReviewStation::openProject(ProjectSession& session) {
+void ReviewScreen::openProject(ProjectSession& session) {
   closeProject();
   session_ = &session;
   model_ = new PairReviewModel(session.jobs(), session.undo(), this);
@@ -165,10 +165,10 @@ void ReviewStation::openProject(ProjectSession& session) {
   model_->setPerson(session.initials());
   connect(&session, &ProjectSession::initialsChanged, model_, &PairReviewModel::setPerson);
   connect(&session, &ProjectSession::initialsChanged, person_, &QLineEdit::setText);
-  connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::follow);
-  connect(&session, &ProjectSession::sherdsChanged, this, &ReviewStation::nameSherds);
-  connect(model_, &PairReviewModel::waitingChanged, this, &Station::waitingChanged);
-  connect(model_, &PairReviewModel::failed, this, &ReviewStation::say);
+  connect(&session, &ProjectSession::batchChanged, this, &ReviewScreen::follow);
+  connect(&session, &ProjectSession::sherdsChanged, this, &ReviewScreen::nameSherds);
+  connect(model_, &PairReviewModel::waitingChanged, this, &Screen::waitingChanged);
+  connect(model_, &PairReviewModel::failed, this, &ReviewScreen::say);
   connect(model_, &PairReviewModel::personWanted, this, [this] {
     asked_ = message_->text();
     person_->setFocus();
@@ -176,12 +176,12 @@ void ReviewStation::openProject(ProjectSession& session) {
   connect(&session, &ProjectSession::initialsChanged, this, [this](const QString& initials) {
     if (!initials.isEmpty() && !asked_.isEmpty() && message_->text() == asked_) say({});
   });
-  connect(model_, &PairReviewModel::decided, this, &ReviewStation::enter);
+  connect(model_, &PairReviewModel::decided, this, &ReviewScreen::enter);
   listBatches();
   if (batches_->count() > 0) openOutput(batches_->itemText(0));
 }
 
-void ReviewStation::closeProject() {
+void ReviewScreen::closeProject() {
   if (opening_) opening_->drop();
   if (pane_) pane_->deleteLater();
   if (model_ != nullptr) {
@@ -200,11 +200,11 @@ void ReviewStation::closeProject() {
   emit waitingChanged();
 }
 
-fs::path ReviewStation::outputOf(const QString& batch) const {
+fs::path ReviewScreen::outputOf(const QString& batch) const {
   return session_->folder() / "results" / batch.toStdString();
 }
 
-void ReviewStation::listBatches() {
+void ReviewScreen::listBatches() {
   if (!session_) return;
   const QStringList names = reviewable(session_->folder() / "results");
   QStringList shown;
@@ -218,13 +218,13 @@ void ReviewStation::listBatches() {
   batches_->setCurrentText(batch_);
 }
 
-void ReviewStation::showItem(const QString& batch) {
+void ReviewScreen::showItem(const QString& batch) {
   if (!session_) return;
   listBatches();
   openOutput(batch);
 }
 
-void ReviewStation::openOutput(const QString& batch) {
+void ReviewScreen::openOutput(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   model_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
@@ -250,7 +250,7 @@ void ReviewStation::openOutput(const QString& batch) {
   });
 }
 
-void ReviewStation::showOpened(const OpenedBatch& opened) {
+void ReviewScreen::showOpened(const OpenedBatch& opened) {
   model_->open(opened);
   showScale();
   nameSherds();
@@ -266,17 +266,17 @@ void ReviewStation::showOpened(const OpenedBatch& opened) {
 }
 
 // The queue computes; this only says that the batch wants it.
-void ReviewStation::compute() {
+void ReviewScreen::compute() {
   if (!session_ || !session_->hasProject()) return;
-  const Result<void> queued =
-      catalogue::queueAgain(session_->project().catalogue(), batch_.toStdString(), session_->act());
+  const Result<void> queued = catalogue::queueAgain(session_->project().catalogue(),
+                                                    batch_.toStdString(), session_->provenance());
   if (!queued) return say(sentenceOf(queued.error()));
   compute_->hide();
   say(tr("%1 is queued; only what changed is reprocessed.").arg(batch_));
   session_->tellBatchChanged(batch_);
 }
 
-void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& decision) {
+void ReviewScreen::enter(const fs::path& output, const pipeline::PairDecision& decision) {
   const QString batch = QString::fromStdString(output.filename().string());
   const bool shown = model_->shows(output);
   const QString edited = editedWords(batch, decision);
@@ -302,8 +302,8 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
 }
 
 // Before the batch is opened: what its file says and the catalogue does not would be entered there.
-Result<void> ReviewStation::enterInto(const fs::path& output, const QString& batch,
-                                      const pipeline::PairDecision& decision) {
+Result<void> ReviewScreen::enterInto(const fs::path& output, const QString& batch,
+                                     const pipeline::PairDecision& decision) {
   if (!session_->hasProject()) return {};
   catalogue::Catalogue& rows = session_->project().catalogue();
   const Result<void> entered =
@@ -313,7 +313,7 @@ Result<void> ReviewStation::enterInto(const fs::path& output, const QString& bat
 }
 
 // One sherd would stand in the catalogue twice: with what was photographed again, and with this.
-void ReviewStation::sayIfTwice(const QString& batch, const pipeline::PairDecision& decision) {
+void ReviewScreen::sayIfTwice(const QString& batch, const pipeline::PairDecision& decision) {
   if (decision.kind != pipeline::DecisionKind::Pair &&
       decision.kind != pipeline::DecisionKind::Withdraw)
     return;
@@ -328,7 +328,7 @@ void ReviewStation::sayIfTwice(const QString& batch, const pipeline::PairDecisio
 }
 
 // A number that loses its piece is said when it is done, not found later in the table.
-QString ReviewStation::editedWords(const QString& batch, const pipeline::PairDecision& edit) const {
+QString ReviewScreen::editedWords(const QString& batch, const pipeline::PairDecision& edit) const {
   if (!session_->hasProject()) return {};
   const catalogue::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
   if (edit.kind == pipeline::DecisionKind::Split) {
@@ -351,7 +351,7 @@ QString ReviewStation::editedWords(const QString& batch, const pipeline::PairDec
 }
 
 // What the catalogue calls the sherds on the cards.
-void ReviewStation::nameSherds() {
+void ReviewScreen::nameSherds() {
   if (!session_ || !session_->hasProject() || model_ == nullptr || !model_->isOpen()) return;
   const catalogue::PlateSherds sherds(session_->project().catalogue(), batch_.toStdString());
   QHash<int, QString> numbers;
@@ -367,8 +367,8 @@ void ReviewStation::nameSherds() {
 }
 
 // The queue's row follows: its figures, and whether the batch still wants a person.
-void ReviewStation::settle(const QString& batch, const std::string& person,
-                           const BatchStanding& standing) {
+void ReviewScreen::settle(const QString& batch, const std::string& person,
+                          const BatchStanding& standing) {
   ++settled_[batch];
   catalogue::Catalogue& rows = session_->project().catalogue();
   BatchFigures figures = keptFigures(rows, batch).value_or(BatchFigures{});
@@ -390,7 +390,7 @@ void ReviewStation::settle(const QString& batch, const std::string& person,
 
 // A sherd that lost its back lost its model. When the pair is again as it was computed, its results
 // lie there still.
-void ReviewStation::restoreModels(const QString& batch) {
+void ReviewScreen::restoreModels(const QString& batch) {
   JobHandle* job = session_->jobs().start(
       makeJob(tr("Models of %1").arg(batch),
               [folder = session_->folder(), number = batch.toStdString()](
@@ -409,7 +409,7 @@ void ReviewStation::restoreModels(const QString& batch) {
 }
 
 // Of pairs that are not shown: an act on them was undone or done again.
-void ReviewStation::settleUnseen(const fs::path& output, const std::string& person) {
+void ReviewScreen::settleUnseen(const fs::path& output, const std::string& person) {
   const QString batch = QString::fromStdString(output.filename().string());
   JobHandle* job = session_->jobs().start(
       makeJob(tr("Opening %1").arg(batch),
@@ -426,8 +426,8 @@ void ReviewStation::settleUnseen(const fs::path& output, const std::string& pers
           });
 }
 
-// What another station did to this batch: new pairs are shown, a mere change of its state is not.
-void ReviewStation::follow(const QString& batch) {
+// What another screen did to this batch: new pairs are shown, a mere change of its state is not.
+void ReviewScreen::follow(const QString& batch) {
   countElsewhere();
   if (batches_->findText(batch) < 0) listBatches();
   if (batches_->findText(batch) < 0) return;
@@ -437,38 +437,38 @@ void ReviewStation::follow(const QString& batch) {
 }
 
 // The report is written last, and is gone while the batch is computed.
-fs::file_time_type ReviewStation::stampOf(const QString& batch) const {
+fs::file_time_type ReviewScreen::stampOf(const QString& batch) const {
   std::error_code gone;
   return std::max(fs::last_write_time(outputOf(batch) / "work" / "pairs" / "candidates.json", gone),
                   fs::last_write_time(outputOf(batch) / "report.json", gone));
 }
 
-void ReviewStation::setInFront(bool in_front) {
+void ReviewScreen::setInFront(bool in_front) {
   if (in_front && pane_) pane_->setFocus();
 }
 
-QString ReviewStation::chosen() const {
+QString ReviewScreen::chosen() const {
   return batch_.isEmpty() ? QString() : kPlate + batch_;
 }
 
-QString ReviewStation::whereWords() const {
+QString ReviewScreen::whereWords() const {
   return session_ && session_->hasProject() && !batch_.isEmpty()
              ? batchWords(session_->project().catalogue(), batch_)
              : batch_;
 }
 
-void ReviewStation::takeChosen(const QString& what) {
+void ReviewScreen::takeChosen(const QString& what) {
   if (what.startsWith(kPlate) && what != chosen() &&
       batches_->findText(what.mid(kPlate.size())) >= 0)
     openOutput(what.mid(kPlate.size()));
 }
 
 // Of all batches: what is not opened yet waits as well.
-int ReviewStation::waiting() const {
+int ReviewScreen::waiting() const {
   return (model_ != nullptr ? model_->waiting() : 0) + elsewhere_;
 }
 
-void ReviewStation::countElsewhere() {
+void ReviewScreen::countElsewhere() {
   elsewhere_ = 0;
   if (session_ && session_->hasProject()) {
     const catalogue::Catalogue& rows = session_->project().catalogue();
@@ -482,11 +482,11 @@ void ReviewStation::countElsewhere() {
   emit waitingChanged();
 }
 
-QString ReviewStation::waitingText() const {
+QString ReviewScreen::waitingText() const {
   return waiting() == 0 ? tr("No pairs to review") : tr("%n pair(s) to review", nullptr, waiting());
 }
 
-void ReviewStation::say(const QString& sentence) {
+void ReviewScreen::say(const QString& sentence) {
   message_->setText(sentence);
   emit said(sentence);
 }

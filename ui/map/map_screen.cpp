@@ -1,4 +1,4 @@
-#include "ui/map/map_station.h"
+#include "ui/map/map_screen.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -57,12 +57,12 @@ QString dayText(const QDateTime& moment) {
 QString printedWords(const QPrinter& printer, const QString& sent) {
   return printer.outputFileName().isEmpty()
              ? sent
-             : MapStation::tr("Saved: %1").arg(printer.outputFileName());
+             : MapScreen::tr("Saved: %1").arg(printer.outputFileName());
 }
 
 }  // namespace
 
-MapStation::MapStation(QWidget* parent) : Station(parent) {
+MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
   batches_ = new QComboBox(this);
   batches_->setObjectName("batch");
   batches_->setAccessibleName(tr("Batch"));
@@ -74,7 +74,7 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   print_action->setObjectName("print");
   print_action->setShortcut(QKeySequence::Print);
   print_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(print_action, &QAction::triggered, this, &MapStation::print);
+  connect(print_action, &QAction::triggered, this, &MapScreen::print);
   addAction(print_action);
   print_ = new BigButton(this);
   print_->setText(tr("Print map and labels"));
@@ -83,12 +83,12 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   print_->setObjectName("printMap");
   print_->setFocusPolicy(Qt::TabFocus);
   print_->setEnabled(false);
-  connect(print_, &QPushButton::clicked, this, &MapStation::print);
+  connect(print_, &QPushButton::clicked, this, &MapScreen::print);
   auto* bags_action = new QAction(tr("Print bag labels"), this);
   bags_action->setObjectName("printBags");
   bags_action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
   bags_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(bags_action, &QAction::triggered, this, &MapStation::printBags);
+  connect(bags_action, &QAction::triggered, this, &MapScreen::printBags);
   addAction(bags_action);
   bags_ = new QPushButton(icon(QStringLiteral("print")), tr("Print bag labels"), this);
   bags_->setToolTip(
@@ -97,7 +97,7 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   bags_->setFocusPolicy(Qt::TabFocus);
   bags_->setMinimumHeight(controlHeight(*this));
   bags_->setEnabled(false);
-  connect(bags_, &QPushButton::clicked, this, &MapStation::printBags);
+  connect(bags_, &QPushButton::clicked, this, &MapScreen::printBags);
   view_ = new MapView(this);
   view_->setObjectName("plate");
   auto* head = new QHBoxLayout;
@@ -113,7 +113,7 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
                           this);
   to_capture_ = empty_->addAct(tr("Capture a batch"), QStringLiteral("mapToCapture"));
   connect(to_capture_, &QPushButton::clicked, this,
-          [this] { emit wantsStation(QStringLiteral("capture"), {}); });
+          [this] { emit wantsScreen(QStringLiteral("capture"), {}); });
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addLayout(head);
@@ -128,10 +128,10 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
     if (!number.isEmpty()) say(tr("Sherd %1").arg(numbers.whole(number)));
   });
   connect(view_, &MapView::activated, this,
-          [this](const QString&) { emit wantsStation(QStringLiteral("review"), batch_); });
+          [this](const QString&) { emit wantsScreen(QStringLiteral("review"), batch_); });
 }
 
-void MapStation::openProject(ProjectSession& session) {
+void MapScreen::openProject(ProjectSession& session) {
   closeProject();
   session_ = &session;
   connect(&session, &ProjectSession::batchChanged, this, [this](const QString& batch) {
@@ -139,13 +139,13 @@ void MapStation::openProject(ProjectSession& session) {
     if (batches_->findText(batch) < 0) return;
     if (batch_.isEmpty() || batch == batch_) showBatch(batch);
   });
-  connect(&session, &ProjectSession::sherdsChanged, this, &MapStation::nameMarks);
+  connect(&session, &ProjectSession::sherdsChanged, this, &MapScreen::nameMarks);
   bags_->setEnabled(session.hasProject());
   listBatches();
   if (batches_->count() > 0) showBatch(batches_->itemText(0));
 }
 
-void MapStation::closeProject() {
+void MapScreen::closeProject() {
   if (opening_) opening_->drop();
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_.clear();
@@ -158,32 +158,32 @@ void MapStation::closeProject() {
   bags_->setEnabled(false);
 }
 
-QAbstractButton* MapStation::primary() const {
+QAbstractButton* MapScreen::primary() const {
   return empty_->isHidden() ? static_cast<QAbstractButton*>(print_) : to_capture_;
 }
 
-void MapStation::setInFront(bool in_front) {
+void MapScreen::setInFront(bool in_front) {
   if (in_front) view_->setFocus();
 }
 
-QString MapStation::chosen() const {
+QString MapScreen::chosen() const {
   return batch_.isEmpty() ? QString() : kPlate + batch_;
 }
 
-QString MapStation::whereWords() const {
+QString MapScreen::whereWords() const {
   return session_ && session_->hasProject() && !batch_.isEmpty()
              ? batchWords(session_->project().catalogue(), batch_)
              : batch_;
 }
 
 // The batch that was reviewed is the one whose map is wanted.
-void MapStation::takeChosen(const QString& what) {
+void MapScreen::takeChosen(const QString& what) {
   if (what.startsWith(kPlate) && what != chosen() &&
       batches_->findText(what.mid(kPlate.size())) >= 0)
     showBatch(what.mid(kPlate.size()));
 }
 
-void MapStation::listBatches() {
+void MapScreen::listBatches() {
   if (!session_) return;
   QStringList names;
   std::error_code ignored;
@@ -202,23 +202,23 @@ void MapStation::listBatches() {
 }
 
 // Two photographs are read, and an outline for each sherd: not while nobody looks.
-void MapStation::showBatch(const QString& batch) {
+void MapScreen::showBatch(const QString& batch) {
   if (isVisible()) return openBatch(batch);
   batch_ = stale_ = batch;
   emit whereChanged();
   batches_->setCurrentText(batch);
 }
 
-void MapStation::showEvent(QShowEvent* event) {
-  Station::showEvent(event);
+void MapScreen::showEvent(QShowEvent* event) {
+  Screen::showEvent(event);
   if (!stale_.isEmpty()) openBatch(std::exchange(stale_, {}));
 }
 
-void MapStation::showItem(const QString& batch) {
+void MapScreen::showItem(const QString& batch) {
   if (session_) openBatch(batch);
 }
 
-void MapStation::openBatch(const QString& batch) {
+void MapScreen::openBatch(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   const QString lit = batch == batch_ ? view_->highlighted() : QString();
   batch_ = batch;
@@ -251,14 +251,14 @@ void MapStation::openBatch(const QString& batch) {
   });
 }
 
-bool MapStation::isOfScans() const {
+bool MapScreen::isOfScans() const {
   const QDir front(QString::fromStdString(
       (session_->folder() / "batches" / batch_.toStdString() / "front").string()));
   return !front.entryList({QStringLiteral("*.ply")}, QDir::Files).isEmpty();
 }
 
 // The day of the shooting, if the catalogue knows it; where there is no catalogue the file says it.
-QString MapStation::dayOf(const MapPicture& picture) const {
+QString MapScreen::dayOf(const MapPicture& picture) const {
   if (session_->hasProject())
     if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
       return batch->started_ms ? dayText(QDateTime::fromMSecsSinceEpoch(*batch->started_ms))
@@ -267,27 +267,27 @@ QString MapStation::dayOf(const MapPicture& picture) const {
   return file.exists() ? dayText(file.lastModified()) : QString();
 }
 
-void MapStation::nameMarks() {
+void MapScreen::nameMarks() {
   view_->setNumbers(mapNumbers(sherds()));
 }
 
-QVector<PlateSherd> MapStation::sherds() const {
+QVector<PlateSherd> MapScreen::sherds() const {
   const bool has_catalogue = session_ && session_->hasProject();
   return sherdsOnPlate(view_->picture().map,
                        has_catalogue ? &session_->project().catalogue() : nullptr, batch_, date_);
 }
 
-QVector<SherdLabel> MapStation::labels() const {
+QVector<SherdLabel> MapScreen::labels() const {
   return labelsOf(sherds());
 }
 
-QString MapStation::pageTitle() const {
+QString MapScreen::pageTitle() const {
   const QString common = view_->picture().numbers.common;
   const QString batch = common.isEmpty() ? batch_ : QStringLiteral("%1: %2…").arg(batch_, common);
   return date_.isEmpty() ? tr("Batch %1").arg(batch) : tr("Batch %1, %2").arg(batch, date_);
 }
 
-bool MapStation::writePdf(const QString& file) {
+bool MapScreen::writePdf(const QString& file) {
   QPdfWriter pdf(file);
   pdf.setResolution(300);
   pdf.setPageSize(QPageSize(QPageSize::A4));
@@ -299,7 +299,7 @@ bool MapStation::writePdf(const QString& file) {
 }
 
 // Such labels are for the table, not for the bag: in the store nobody knows their batch.
-QString MapStation::unnumberedWords() const {
+QString MapScreen::unnumberedWords() const {
   const QVector<PlateSherd> all = sherds();
   const auto none = static_cast<int>(std::count_if(all.begin(), all.end(), [](const auto& sherd) {
     return sherd.getsLabel() && !sherd.has_final_number;
@@ -309,7 +309,7 @@ QString MapStation::unnumberedWords() const {
                   : QString();
 }
 
-void MapStation::print() {
+void MapScreen::print() {
   if (!print_->isEnabled()) return;
   if (const QString none = unnumberedWords(); !none.isEmpty()) say(none);
   auto* dialog = new QPrintDialog(this);  // knows printing into a PDF file, too
@@ -323,7 +323,7 @@ void MapStation::print() {
   dialog->open();
 }
 
-bool MapStation::writeBagLabels(const QString& file) {
+bool MapScreen::writeBagLabels(const QString& file) {
   if (!session_ || !session_->hasProject()) return false;
   QPdfWriter pdf(file);
   pdf.setResolution(300);
@@ -336,7 +336,7 @@ bool MapStation::writeBagLabels(const QString& file) {
   return false;
 }
 
-void MapStation::printBags() {
+void MapScreen::printBags() {
   if (!bags_->isEnabled()) return;
   const QVector<SherdLabel> labels =
       bagLabels(session_->project().catalogue(), session_->initials());
@@ -354,7 +354,7 @@ void MapStation::printBags() {
   dialog->open();
 }
 
-void MapStation::say(const QString& sentence) {
+void MapScreen::say(const QString& sentence) {
   message_->setText(sentence);
   emit said(sentence);
 }

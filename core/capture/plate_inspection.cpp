@@ -77,7 +77,7 @@ double sharpnessOf(const cv::Mat& picture, const std::vector<rig::SeenMarker>& s
   return rig::typicalWidth(std::move(widths));
 }
 
-void judgeLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateLook& look) {
+void judgeLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateInspection& look) {
   std::int64_t all = 0, dark = 0, bright = 0;
   for (int y = 0; y < picture.rows; ++y) {
     const auto* row = picture.ptr<cv::Vec3b>(y);
@@ -112,7 +112,7 @@ Eigen::Vector2f projected(const Eigen::Matrix3d& h, const Eigen::Vector2d& p) {
 
 // Where a marker that is not seen should be, as far as it lies within the picture.
 void addHidden(const batch::Plate& plate, const Eigen::Matrix3d& pixel_from_plate,
-               PlateLook& look) {
+               PlateInspection& look) {
   const auto within = [&](const Eigen::Vector2f& p) {
     return p.x() >= 0 && p.y() >= 0 && p.x() < static_cast<float>(look.width) &&
            p.y() < static_cast<float>(look.height);
@@ -129,8 +129,8 @@ void addHidden(const batch::Plate& plate, const Eigen::Matrix3d& pixel_from_plat
 }
 
 PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_plate,
-                    const batch::Plate& plate, const LookOptions& options, double whole_per_work,
-                    PlateLook& look) {
+                    const batch::Plate& plate, const InspectionOptions& options,
+                    double whole_per_work, PlateInspection& look) {
   PlateMap map = mapPlate(picture, pixel_from_plate, freeRadius_mm(plate));
   std::vector<MapPiece> pieces = piecesOf(map, options.smallest_sherd_mm);
   std::sort(pieces.begin(), pieces.end(), [](const MapPiece& a, const MapPiece& b) {
@@ -160,7 +160,7 @@ PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_pl
 
 }  // namespace
 
-Result<void> LookOptions::check() const {
+Result<void> InspectionOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (work_width_px < 320) return bad("work_width_px must be 320 or more.");
   if (!(too_close_mm >= 0) || !(touching_mm >= 0))
@@ -173,20 +173,20 @@ int markersNeeded(int on_plate) {
   return std::max(kLeastMarkers, (on_plate + 1) / 2);
 }
 
-Result<PlateLook> lookAtPlate(std::string_view picture, const batch::Plate& plate,
-                              const LookOptions& options) {
-  Result<MappedLook> mapped = lookAndMap(picture, plate, options);
+Result<PlateInspection> inspectPlate(std::string_view picture, const batch::Plate& plate,
+                                     const InspectionOptions& options) {
+  Result<MappedInspection> mapped = inspectAndMap(picture, plate, options);
   if (!mapped) return mapped.error();
   return std::move(mapped->look);
 }
 
-Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plate,
-                              const LookOptions& options) {
+Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Plate& plate,
+                                       const InspectionOptions& options) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   const Result<cv::Mat> whole = batch::decodePhotograph(picture, {});
   if (!whole) return whole.error();
-  MappedLook mapped;
-  PlateLook& look = mapped.look;
+  MappedInspection mapped;
+  PlateInspection& look = mapped.look;
   look.width = whole->cols;
   look.height = whole->rows;
   look.markers_on_plate = static_cast<int>(plate.markers.size());
@@ -210,7 +210,7 @@ Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plat
   return mapped;
 }
 
-std::optional<double> turnBetween_deg(const PlateLook& before, const PlateLook& after) {
+std::optional<double> turnBetween_deg(const PlateInspection& before, const PlateInspection& after) {
   if (!before.pixel_from_plate || !after.pixel_from_plate) return std::nullopt;
   if (before.width != after.width || before.height != after.height) return std::nullopt;
   // Where the plate's points were that are now where its points are: a turn about the axis.

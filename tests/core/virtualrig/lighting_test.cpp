@@ -1,4 +1,4 @@
-#include "virtualrig/room.h"
+#include "virtualrig/lighting.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 // Light that comes off a sherd must have fallen on it first: below a sherd hardly any does. With
 // surfaces that shone whether lit or not, the plate there had a tenth of the open light, in clay's
 // colour.
-TEST(Room, ThePlateUnderASherdIsDark) {
+TEST(Lighting, ThePlateUnderASherdIsDark) {
   SimulateOptions options;
   options.seed = 5;
   options.sherds = 1;
@@ -22,9 +22,9 @@ TEST(Room, ThePlateUnderASherdIsDark) {
   const auto layout = layOut(*sherds, options, random);
   ASSERT_TRUE(layout.has_value());
   const Scene scene(*sherds, layout->front);
-  const Room room = makeRoom(random);
+  const Lighting lighting = makeLighting(random);
   const PlateSurface plate(PlateColor::Grey, 3);
-  const AmbientField ambient = gatherAmbient(scene, room, plate, 1, {.threads = 2});
+  const AmbientField ambient = gatherAmbient(scene, lighting, plate, 1, {.threads = 2});
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   for (const Eigen::Vector3f& p : scene.vertices(0)) middle += p;
   middle /= static_cast<float>(scene.vertices(0).size());

@@ -1,4 +1,4 @@
-#include "stereo/judge.h"
+#include "stereo/photometric_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@ constexpr float kOutsideCost = 1.2F;  // a source whose mask the window leaves: 
 }  // namespace
 
 /// The dissimilarity in each active source that can see the plane.
-Judge::Verdicts Judge::judge(const Plane& plane) const {
-  Verdicts verdicts;
+PhotometricCost::SourceCosts PhotometricCost::bySource(const Plane& plane) const {
+  SourceCosts found;
   const float along = plane.normal.dot(ray_);
-  if (along > -kGrazing * ray_.norm()) return verdicts;
+  if (along > -kGrazing * ray_.norm()) return found;
   const Eigen::Vector3f x = plane.depth * ray_;
   // derivative of the plane's point by the pixel's coordinates
   const Eigen::Vector3f xu =
@@ -43,15 +43,15 @@ Judge::Verdicts Judge::judge(const Plane& plane) const {
                         sy * (pu.y() - ty * pu.z()),
                         sy * (pv.y() - ty * pv.z())};
     const float d = dissimilarity(window_, other, map);
-    const auto place = static_cast<std::size_t>(verdicts.count++);
-    verdicts.costs[place] = d < 0 ? kOutsideCost : d;
-    verdicts.sources[place] = static_cast<int>(k);
+    const auto place = static_cast<std::size_t>(found.count++);
+    found.costs[place] = d < 0 ? kOutsideCost : d;
+    found.sources[place] = static_cast<int>(k);
   }
-  return verdicts;
+  return found;
 }
 
-float Judge::cost(const Plane& plane) const {
-  auto [count, costs, sources] = judge(plane);
+float PhotometricCost::cost(const Plane& plane) const {
+  auto [count, costs, sources] = bySource(plane);
   if (count == 0) return kNoMatch;
   const int best = std::min(count, options_.best_sources);
   std::partial_sort(costs.begin(), costs.begin() + best, costs.begin() + count);
@@ -62,8 +62,8 @@ float Judge::cost(const Plane& plane) const {
          static_cast<float>(options_.best_sources);
 }
 
-std::uint32_t Judge::bestSources(const Plane& plane, int most) const {
-  auto [count, costs, sources] = judge(plane);
+std::uint32_t PhotometricCost::bestSources(const Plane& plane, int most) const {
+  auto [count, costs, sources] = bySource(plane);
   if (count < most) return ~0U;  // the plane is seen by few: leave all of them their say
   std::uint32_t chosen = 0;
   for (int taken = 0; taken < most; ++taken) {

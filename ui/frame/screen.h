@@ -8,15 +8,15 @@ namespace ostraka::ui {
 
 class ProjectSession;
 
-/// One screen of the rail: Capture, Queue, Review, Map, Catalogue, Export. The frame makes each
+/// One screen of the sidebar: Capture, Queue, Review, Map, Catalogue, Export. The frame makes each
 /// once, shows it, and hands it the project that was opened.
-class Station : public QWidget {
+class Screen : public QWidget {
   Q_OBJECT
 
  public:
   using QWidget::QWidget;
 
-  virtual QString title() const = 0;       ///< one word in the rail, translated
+  virtual QString title() const = 0;       ///< one word in the sidebar, translated
   virtual QString iconName() const = 0;    ///< a picture of resources/icons: "capture"
   virtual QString manualPage() const = 0;  ///< what F1 opens: "capture"
 
@@ -26,11 +26,11 @@ class Station : public QWidget {
   /// The project closes: let go of the session. Called before openProject of another one, too.
   virtual void closeProject() = 0;
 
-  /// How many things on this station want a person; the rail shows it when above 0.
+  /// How many things on this screen want a person; the sidebar shows it when above 0.
   virtual int waiting() const { return 0; }
   /// The same in words for screen readers: "5 pairs need your eye".
   virtual QString waitingText() const { return {}; }
-  /// The station comes to the front (true) or leaves it: a live picture may rest.
+  /// The screen comes to the front (true) or leaves it: a live picture may rest.
   virtual void setInFront(bool /*in_front*/) {}
 
   /// The one filled button: what to do next. Null where there is nothing to do yet.
@@ -44,11 +44,11 @@ class Station : public QWidget {
   /// What would be lost if the project were closed now, a sentence; empty: nothing.
   virtual QString losesByClosing() const { return {}; }
 
-  /// What is chosen here, for the station that comes next, as its showItem takes it; of a station
+  /// What is chosen here, for the screen that comes next, as its showItem takes it; of a screen
   /// that shows one batch kPlate with its number.
   static constexpr QLatin1String kPlate{"plate:", 6};
   virtual QString chosen() const { return {}; }
-  /// What was chosen on the station that the person comes from.
+  /// What was chosen on the screen that the person comes from.
   virtual void takeChosen(const QString& /*what*/) {}
 
  signals:
@@ -58,11 +58,11 @@ class Station : public QWidget {
   void working(const QString& words, double fraction);
   /// One sentence for the line at the foot, e.g. what was just done.
   void said(const QString& sentence);
-  /// Another station should show this: "review", batch number. The frame switches and passes it on.
-  void wantsStation(const QString& icon_name, const QString& what);
+  /// Another screen should show this: "review", batch number. The frame switches and passes it on.
+  void wantsScreen(const QString& icon_name, const QString& what);
 
  public slots:
-  /// What wantsStation of another station asked for: a batch number or a sherd's.
+  /// What wantsScreen of another screen asked for: a batch number or a sherd's.
   virtual void showItem(const QString& /*what*/) {}
 };
 

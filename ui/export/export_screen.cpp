@@ -1,4 +1,4 @@
-#include "ui/export/export_station.h"
+#include "ui/export/export_screen.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -24,9 +24,9 @@
 
 namespace ostraka::ui {
 
-ExportStation::ExportStation(QWidget* parent) : Station(parent), model_(this) {
+ExportScreen::ExportScreen(QWidget* parent) : Screen(parent), model_(this) {
   buildLayout();
-  connect(&model_, &ExportModel::changed, this, &ExportStation::refresh);
+  connect(&model_, &ExportModel::changed, this, &ExportScreen::refresh);
   connect(&model_, &ExportModel::finished, this, [this] {
     if (model_.state() == ExportModel::State::Done)
       emit said(tr("Exported: %1").arg(model_.closingLine()));
@@ -34,11 +34,11 @@ ExportStation::ExportStation(QWidget* parent) : Station(parent), model_(this) {
   closeProject();
 }
 
-QString ExportStation::title() const {
+QString ExportScreen::title() const {
   return tr("Export");
 }
 
-QWidget* ExportStation::buildWhat() {
+QWidget* ExportScreen::buildWhat() {
   auto* box = new QGroupBox(tr("What"), this);
   all_ = new QRadioButton(tr("All sherds"), box);
   all_->setObjectName("all");
@@ -67,7 +67,7 @@ QWidget* ExportStation::buildWhat() {
   return box;
 }
 
-QWidget* ExportStation::buildForms() {
+QWidget* ExportScreen::buildForms() {
   auto* box = new QGroupBox(tr("Formats"), this);
   auto* column = new QVBoxLayout(box);
   column->setSpacing(2);  // the rows' own height keeps them apart
@@ -102,7 +102,7 @@ QWidget* ExportStation::buildForms() {
   return box;
 }
 
-QWidget* ExportStation::buildScale(QWidget* box) {
+QWidget* ExportScreen::buildScale(QWidget* box) {
   auto* scale = new QComboBox(box);
   scale->setObjectName("exportScale");
   scale->setAccessibleName(tr("Scale of the drawings"));
@@ -117,7 +117,7 @@ QWidget* ExportStation::buildScale(QWidget* box) {
   return scale_ = scale;
 }
 
-QWidget* ExportStation::buildDetail(QWidget* box) {
+QWidget* ExportScreen::buildDetail(QWidget* box) {
   auto* detail = new QComboBox(box);
   detail->setObjectName("exportDetail");
   detail->setAccessibleName(tr("Detail of the models"));
@@ -133,7 +133,7 @@ QWidget* ExportStation::buildDetail(QWidget* box) {
   return detail_ = detail;
 }
 
-QWidget* ExportStation::buildWhere() {
+QWidget* ExportScreen::buildWhere() {
   auto* box = new QGroupBox(tr("Where"), this);
   target_ = new QLineEdit(box);
   target_->setObjectName("target");
@@ -146,11 +146,11 @@ QWidget* ExportStation::buildWhere() {
   row->addWidget(target_, 1);
   row->addWidget(choose);
   connect(target_, &QLineEdit::textEdited, &model_, &ExportModel::setTarget);
-  connect(choose, &QPushButton::clicked, this, &ExportStation::browse);
+  connect(choose, &QPushButton::clicked, this, &ExportScreen::browse);
   return box;
 }
 
-void ExportStation::buildLayout() {
+void ExportScreen::buildLayout() {
   size_ = new QLabel(this);
   size_->setObjectName("size");
   size_->setWordWrap(true);
@@ -208,39 +208,39 @@ void ExportStation::buildLayout() {
   column->addLayout(foot);
 }
 
-QAbstractButton* ExportStation::primary() const {
+QAbstractButton* ExportScreen::primary() const {
   return model_.state() == ExportModel::State::Done ? open_ : start_;
 }
 
-void ExportStation::openProject(ProjectSession& session) {
+void ExportScreen::openProject(ProjectSession& session) {
   closeProject();
   model_.openProject(&session);
   setEnabled(true);
 }
 
-QString ExportStation::losesByClosing() const {
+QString ExportScreen::losesByClosing() const {
   return model_.state() == ExportModel::State::Running
              ? tr("The export is not finished, and nothing of it would be kept. Close once more to "
                   "stop it.")
              : QString();
 }
 
-void ExportStation::closeProject() {
+void ExportScreen::closeProject() {
   setEnabled(false);  // before, so that no line keeps what is typed in it
   model_.openProject(nullptr);
 }
 
-void ExportStation::showEvent(QShowEvent* event) {
-  Station::showEvent(event);
+void ExportScreen::showEvent(QShowEvent* event) {
+  Screen::showEvent(event);
   model_.setWatched(true);
 }
 
-void ExportStation::hideEvent(QHideEvent* event) {
-  Station::hideEvent(event);
+void ExportScreen::hideEvent(QHideEvent* event) {
+  Screen::hideEvent(event);
   model_.setWatched(false);
 }
 
-void ExportStation::showItem(const QString& what) {
+void ExportScreen::showItem(const QString& what) {
   if (what.startsWith("rows:")) {
     std::vector<catalogue::SherdRow> rows;
     for (const QString& row : what.mid(5).split(',', Qt::SkipEmptyParts))
@@ -253,7 +253,7 @@ void ExportStation::showItem(const QString& what) {
   }
 }
 
-void ExportStation::takeChosen(const QString& what) {
+void ExportScreen::takeChosen(const QString& what) {
   if (what.isEmpty() || model_.state() == ExportModel::State::Running) return;
   if (what.startsWith(kPlate)) return;  // what one looks at is not what one gives away
   if (what.startsWith("row:"))
@@ -262,14 +262,14 @@ void ExportStation::takeChosen(const QString& what) {
     showItem(what);
 }
 
-void ExportStation::browse() {
+void ExportScreen::browse() {
   const QString parent = QFileDialog::getExistingDirectory(this, tr("Folder for the export"));
   if (parent.isEmpty()) return;
   const QString name = model_.target().section('/', -1);
   model_.setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
 }
 
-void ExportStation::refresh() {
+void ExportScreen::refresh() {
   const bool running = model_.state() == ExportModel::State::Running;
   const QSignalBlocker quiet(filter_);
   all_->setChecked(model_.what() == ExportModel::What::All);

@@ -1,4 +1,4 @@
-#include "ui/queue/queue_station.h"
+#include "ui/queue/queue_screen.h"
 
 #include <QAction>
 #include <QDesktopServices>
@@ -32,8 +32,8 @@ constexpr double kAskBeforeLosing_s = 3600;
 
 }  // namespace
 
-QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
-    : Station(parent),
+QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
+    : Screen(parent),
       queue_(queue),
       list_(new QListView(this)),
       delegate_(new BatchDelegate(*queue, this)),
@@ -74,16 +74,16 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   buildLayout();
 
   connect(calibrate_, &QAction::triggered, this, [this] {
-    emit wantsStation(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
+    emit wantsScreen(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
   });
   connect(pause_, &QAction::triggered, queue_, &BatchQueue::togglePaused);
   connect(again_, &QAction::triggered, this, [this] { queue_->retry(selected()); });
-  connect(cancel_, &QAction::triggered, this, &QueueStation::askOrCancel);
-  connect(report_, &QAction::triggered, this, &QueueStation::openReport);
+  connect(cancel_, &QAction::triggered, this, &QueueScreen::askOrCancel);
+  connect(report_, &QAction::triggered, this, &QueueScreen::openReport);
   connect(review_, &QAction::triggered, this,
-          [this] { emit wantsStation(QStringLiteral("review"), selected()); });
-  connect(masks_, &QAction::triggered, this, &QueueStation::showMasks);
-  connect(masks_page_, &MaskPage::closed, this, &QueueStation::leaveMasks);
+          [this] { emit wantsScreen(QStringLiteral("review"), selected()); });
+  connect(masks_, &QAction::triggered, this, &QueueScreen::showMasks);
+  connect(masks_page_, &MaskPage::closed, this, &QueueScreen::leaveMasks);
   connect(masks_page_, &MaskPage::computeWanted, this, [this](const QString& batch) {
     leaveMasks();
     queue_->retry(batch);
@@ -92,24 +92,24 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   connect(log_action_, &QAction::triggered, this, [this] {
     if (isVisible()) return;  // by the window's foot, from another page
     log_action_->setChecked(true);
-    emit wantsStation(QStringLiteral("queue"), {});
+    emit wantsScreen(QStringLiteral("queue"), {});
   });
   connect(drafts_, &QAction::toggled, queue_, &BatchQueue::setMakesDrafts);
   connect(queue_, &BatchQueue::logged, log_, &QPlainTextEdit::appendPlainText);
-  connect(queue_, &BatchQueue::workChanged, this, &QueueStation::follow);
-  connect(queue_, &QAbstractItemModel::modelReset, this, &QueueStation::follow);
-  connect(queue_, &QAbstractItemModel::dataChanged, this, &QueueStation::follow);
+  connect(queue_, &BatchQueue::workChanged, this, &QueueScreen::follow);
+  connect(queue_, &QAbstractItemModel::modelReset, this, &QueueScreen::follow);
+  connect(queue_, &QAbstractItemModel::dataChanged, this, &QueueScreen::follow);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          &QueueStation::follow);
+          &QueueScreen::follow);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          &Station::whereChanged);
-  connect(list_, &QListView::activated, this, &QueueStation::openSelected);
-  connect(open_, &QAction::triggered, this, &QueueStation::openSelected);
+          &Screen::whereChanged);
+  connect(list_, &QListView::activated, this, &QueueScreen::openSelected);
+  connect(open_, &QAction::triggered, this, &QueueScreen::openSelected);
   follow();
 }
 
-QAction* QueueStation::addAct(const QString& name, const QString& icon_name, const QString& text,
-                              const QKeySequence& key) {
+QAction* QueueScreen::addAct(const QString& name, const QString& icon_name, const QString& text,
+                             const QKeySequence& key) {
   auto* action = new QAction(icon(icon_name), text, this);
   action->setObjectName(name);
   action->setShortcut(key);
@@ -118,7 +118,7 @@ QAction* QueueStation::addAct(const QString& name, const QString& icon_name, con
   return action;
 }
 
-void QueueStation::buildLayout() {
+void QueueScreen::buildLayout() {
   list_->setModel(queue_);
   list_->setItemDelegate(delegate_);
   list_->setObjectName(QStringLiteral("queueList"));
@@ -140,7 +140,7 @@ void QueueStation::buildLayout() {
                                this);
   to_capture_ = empty->addAct(tr("Capture a batch"), QStringLiteral("queueToCapture"));
   connect(to_capture_, &QPushButton::clicked, this,
-          [this] { emit wantsStation(QStringLiteral("capture"), {}); });
+          [this] { emit wantsScreen(QStringLiteral("capture"), {}); });
 
   pages_->addWidget(buildList());
   pages_->addWidget(new PageArea(empty, pages_));
@@ -156,7 +156,7 @@ void QueueStation::buildLayout() {
 }
 
 // Pause and log are in the status bar, on every page.
-QWidget* QueueStation::buildList() {
+QWidget* QueueScreen::buildList() {
   auto* page = new QWidget(this);
   tools_ = new ToolRow(page);
   tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, cancel_});
@@ -165,7 +165,7 @@ QWidget* QueueStation::buildList() {
   next_->setObjectName(QStringLiteral("queueNext"));
   next_->setKeyHint(tr("Enter"));
   next_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  connect(next_, &QPushButton::clicked, this, &QueueStation::openSelected);
+  connect(next_, &QPushButton::clicked, this, &QueueScreen::openSelected);
   auto* split = new QSplitter(Qt::Vertical, page);
   split->addWidget(list_);
   split->addWidget(log_);
@@ -182,36 +182,36 @@ QWidget* QueueStation::buildList() {
   return page;
 }
 
-QAbstractButton* QueueStation::primary() const {
+QAbstractButton* QueueScreen::primary() const {
   return pages_->currentWidget() == masks_area_ ? masks_page_->primary()
          : queue_->rowCount() == 0              ? to_capture_
                                                 : next_;
 }
 
-QString QueueStation::whereWords() const {
+QString QueueScreen::whereWords() const {
   const QString batch = selected();
   return session_ == nullptr || batch.isEmpty()
              ? QString()
              : batchWords(session_->project().catalogue(), batch);
 }
 
-void QueueStation::setCompact(bool compact) {
+void QueueScreen::setCompact(bool compact) {
   tools_->setCompact(compact);
   message_->setCompact(compact);
   masks_page_->setCompact(compact);
 }
 
-QString QueueStation::title() const {
+QString QueueScreen::title() const {
   return tr("Queue");
 }
-QString QueueStation::iconName() const {
+QString QueueScreen::iconName() const {
   return QStringLiteral("queue");
 }
-QString QueueStation::manualPage() const {
+QString QueueScreen::manualPage() const {
   return QStringLiteral("queue");
 }
 
-void QueueStation::openProject(ProjectSession& session) {
+void QueueScreen::openProject(ProjectSession& session) {
   session_ = &session;
   thumbnails_ = new Thumbnails(session.jobs(), this);
   delegate_->setThumbnails(thumbnails_);
@@ -224,7 +224,7 @@ void QueueStation::openProject(ProjectSession& session) {
   follow();
 }
 
-void QueueStation::closeProject() {
+void QueueScreen::closeProject() {
   leaveMasks();
   queue_->setSession(nullptr);
   delegate_->setThumbnails(nullptr);
@@ -233,32 +233,32 @@ void QueueStation::closeProject() {
   session_ = nullptr;
 }
 
-void QueueStation::setInFront(bool in_front) {
+void QueueScreen::setInFront(bool in_front) {
   if (in_front)
     (pages_->currentWidget() == masks_area_ ? static_cast<QWidget*>(masks_page_) : list_)
         ->setFocus();
 }
 
-int QueueStation::waiting() const {
+int QueueScreen::waiting() const {
   return queue_->failed() + (queue_->trouble().isEmpty() ? 0 : 1);
 }
 
-QString QueueStation::waitingText() const {
+QString QueueScreen::waitingText() const {
   return queue_->trouble().isEmpty() ? tr("%n batch(es) stopped and need you", nullptr, waiting())
                                      : queue_->trouble();
 }
 
-void QueueStation::showItem(const QString& batch) {
+void QueueScreen::showItem(const QString& batch) {
   const int row = queue_->rowOf(batch);
   if (row >= 0) list_->setCurrentIndex(queue_->index(row));
 }
 
-QString QueueStation::selected() const {
+QString QueueScreen::selected() const {
   const QModelIndex at = list_->currentIndex();
   return at.isValid() && at.row() < queue_->rowCount() ? queue_->row(at.row()).number : QString();
 }
 
-void QueueStation::follow() {
+void QueueScreen::follow() {
   const bool mending = pages_->currentWidget() == masks_area_ && queue_->rowCount() > 0;
   if (!mending) pages_->setCurrentIndex(queue_->rowCount() == 0 ? 1 : 0);
   if (!list_->currentIndex().isValid() && queue_->rowCount() > 0)
@@ -294,7 +294,7 @@ void QueueStation::follow() {
 }
 
 // What Enter, a double click and the one button do with the batch.
-void QueueStation::followNext(QueueState state) {
+void QueueScreen::followNext(QueueState state) {
   next_->setText(state == QueueState::Failed ? again_->text()
                  : state == QueueState::Done ? report_->text()
                                              : review_->text());
@@ -302,7 +302,7 @@ void QueueStation::followNext(QueueState state) {
                     state == QueueState::Review);
 }
 
-void QueueStation::openSelected() {
+void QueueScreen::openSelected() {
   const int at = queue_->rowOf(selected());
   if (at < 0 || !next_->isEnabled()) return;
   const QueueState state = queue_->row(at).state;
@@ -311,7 +311,7 @@ void QueueStation::openSelected() {
 }
 
 // One key for what is not wanted any more: what runs is stopped, what has failed is set aside.
-void QueueStation::followCancel(QueueState state, bool aside) {
+void QueueScreen::followCancel(QueueState state, bool aside) {
   const bool failed = state == QueueState::Failed;
   const QString words = failed ? tr("Set aside") : tr("Cancel");
   if (cancel_->text() != words) {
@@ -322,7 +322,7 @@ void QueueStation::followCancel(QueueState state, bool aside) {
                       state == QueueState::Waiting || (failed && !aside));
 }
 
-void QueueStation::followPause() {
+void QueueScreen::followPause() {
   const QString words = queue_->isPaused() ? tr("Resume") : tr("Pause");
   if (pause_->text() != words) {
     pause_->setText(words);
@@ -331,7 +331,7 @@ void QueueStation::followPause() {
   pause_->setEnabled(queue_->isPaused() || queue_->waitingToCompute() > 0);
 }
 
-void QueueStation::showMasks() {
+void QueueScreen::showMasks() {
   if (session_ == nullptr || selected().isEmpty()) return;
   masks_page_->openBatch(*session_, selected());
   pages_->setCurrentWidget(masks_area_);
@@ -339,11 +339,11 @@ void QueueStation::showMasks() {
   follow();
 }
 
-QWidget* QueueStation::masksPage() const {
+QWidget* QueueScreen::masksPage() const {
   return masks_page_;
 }
 
-void QueueStation::leaveMasks() {
+void QueueScreen::leaveMasks() {
   if (pages_->currentWidget() != masks_area_) return;
   masks_page_->closeBatch();
   pages_->setCurrentIndex(0);
@@ -351,7 +351,7 @@ void QueueStation::leaveMasks() {
   list_->setFocus();
 }
 
-void QueueStation::openReport() {
+void QueueScreen::openReport() {
   if (session_ == nullptr || selected().isEmpty()) return;
   const std::filesystem::path results = session_->folder() / "results" / selected().toStdString();
   for (const char* file : {"report.html", "log.txt"})
@@ -363,7 +363,7 @@ void QueueStation::openReport() {
   emit said(tr("%1 has no report yet.").arg(selected()));
 }
 
-void QueueStation::askOrCancel() {
+void QueueScreen::askOrCancel() {
   if (const int at = queue_->rowOf(selected());
       at >= 0 && queue_->row(at).state == QueueState::Failed)
     return queue_->setAside(selected());

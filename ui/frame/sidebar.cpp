@@ -1,4 +1,4 @@
-#include "ui/frame/rail.h"
+#include "ui/frame/sidebar.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/look.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 
 namespace ostraka::ui {
 namespace {
@@ -16,16 +16,16 @@ constexpr double kNarrow = 0.8;  // of the letters' size, below their pictures
 
 }  // namespace
 
-Rail::Rail(QWidget* parent)
+Sidebar::Sidebar(QWidget* parent)
     : QFrame(parent), group_(new QActionGroup(this)), column_(new QVBoxLayout(this)) {
-  setObjectName(QStringLiteral("rail"));
+  setObjectName(QStringLiteral("sidebar"));
   setAccessibleName(tr("Screens"));
   column_->setContentsMargins(Look::kGap / 2, Look::kGap, Look::kGap / 2, Look::kGap);
   column_->setSpacing(2);
   column_->addStretch(1);
 }
 
-QToolButton* Rail::addButton(QAction* action, int at) {
+QToolButton* Sidebar::addButton(QAction* action, int at) {
   auto* button = new QToolButton(this);
   button->setDefaultAction(action);
   button->setObjectName(action->objectName() + QStringLiteral("Button"));
@@ -38,22 +38,22 @@ QToolButton* Rail::addButton(QAction* action, int at) {
   return button;
 }
 
-QAction* Rail::addStation(Station* station) {
-  auto* action = new QAction(icon(station->iconName()), station->title(), this);
-  action->setObjectName(QStringLiteral("station_") + station->iconName());
+QAction* Sidebar::addScreen(Screen* screen) {
+  auto* action = new QAction(icon(screen->iconName()), screen->title(), this);
+  action->setObjectName(QStringLiteral("screen_") + screen->iconName());
   action->setCheckable(true);
-  const int index = stations_++;
+  const int index = screens_++;
   action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)));
   group_->addAction(action);
   QToolButton* button = addButton(action, index);
   connect(action, &QAction::triggered, this, [this, index] { emit selectedChanged(index); });
-  connect(station, &Station::waitingChanged, this,
-          [this, station, action, button] { showCount(station, action, button); });
-  showCount(station, action, button);
+  connect(screen, &Screen::waitingChanged, this,
+          [this, screen, action, button] { showCount(screen, action, button); });
+  showCount(screen, action, button);
   return action;
 }
 
-QAction* Rail::addFoot(const QString& icon_name, const QString& text, const QKeySequence& key) {
+QAction* Sidebar::addFoot(const QString& icon_name, const QString& text, const QKeySequence& key) {
   auto* action = new QAction(icon(icon_name), text, this);
   action->setObjectName(QStringLiteral("foot_") + icon_name);
   action->setShortcut(key);
@@ -63,45 +63,45 @@ QAction* Rail::addFoot(const QString& icon_name, const QString& text, const QKey
   return action;
 }
 
-void Rail::select(int index) {
-  if (index < 0 || index >= stations_) return;
+void Sidebar::select(int index) {
+  if (index < 0 || index >= screens_) return;
   QAction* action = group_->actions().at(index);
   if (!action->isChecked()) action->setChecked(true);
 }
 
-int Rail::selected() const {
+int Sidebar::selected() const {
   return group_->checkedAction() == nullptr
              ? -1
              : static_cast<int>(group_->actions().indexOf(group_->checkedAction()));
 }
 
-void Rail::showCount(Station* station, QAction* action, QToolButton* button) {
-  const int count = station->waiting();
+void Sidebar::showCount(Screen* screen, QAction* action, QToolButton* button) {
+  const int count = screen->waiting();
   const QString key = action->shortcut().toString(QKeySequence::NativeText);
-  action->setText(count > 0 ? tr("%1  %2").arg(station->title()).arg(count) : station->title());
-  button->setAccessibleName(count > 0 && !station->waitingText().isEmpty()
-                                ? tr("%1: %2").arg(station->title(), station->waitingText())
-                                : station->title());
-  action->setToolTip(count > 0 ? QStringLiteral("%1 (%2)").arg(station->waitingText(), key)
-                               : QStringLiteral("%1 (%2)").arg(station->title(), key));
+  action->setText(count > 0 ? tr("%1  %2").arg(screen->title()).arg(count) : screen->title());
+  button->setAccessibleName(count > 0 && !screen->waitingText().isEmpty()
+                                ? tr("%1: %2").arg(screen->title(), screen->waitingText())
+                                : screen->title());
+  action->setToolTip(count > 0 ? QStringLiteral("%1 (%2)").arg(screen->waitingText(), key)
+                               : QStringLiteral("%1 (%2)").arg(screen->title(), key));
   QFont font = button->font();
   font.setBold(count > 0);
   button->setFont(font);
   lay();
 }
 
-void Rail::fit(const QSize& window) {
+void Sidebar::fit(const QSize& window) {
   if (window == window_) return;
   window_ = window;
   lay();
 }
 
-void Rail::changeEvent(QEvent* event) {
+void Sidebar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::FontChange) lay();
 }
 
-void Rail::lay() {
+void Sidebar::lay() {
   // Wide enough for the longest word with a count, so that nothing moves.
   const auto widest = [this](const QFont& font, const QString& count) {
     int width = 0;

@@ -1,5 +1,5 @@
 // The queue's screen by keys.
-#include "ui/queue/queue_station.h"
+#include "ui/queue/queue_screen.h"
 
 #include <QListView>
 #include <QPlainTextEdit>
@@ -17,7 +17,7 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class QueueStationTest : public QObject {
+class QueueScreenTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -47,24 +47,24 @@ class QueueStationTest : public QObject {
       }
       return Error::cancelled();
     });
-    station_ = std::make_unique<QueueStation>(queue_.get());
-    station_->resize(1000, 600);
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-    station_->setInFront(true);
+    screen_ = std::make_unique<QueueScreen>(queue_.get());
+    screen_->resize(1000, 600);
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    screen_->setInFront(true);
   }
   void cleanup() {
-    station_->closeProject();
-    station_.reset();
+    screen_->closeProject();
+    screen_.reset();
     queue_.reset();
     jobs_.reset();
     session_.reset();
   }
 
   void anEmptyQueueSaysWhatToDoFirst() {
-    station_->openProject(*session_);
-    QSignalSpy wanted(station_.get(), &Station::wantsStation);
+    screen_->openProject(*session_);
+    QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
     QTest::mouseClick(child<QPushButton>("queueToCapture"), Qt::LeftButton);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted[0][0].toString(), QStringLiteral("capture"));
@@ -72,7 +72,7 @@ class QueueStationTest : public QObject {
 
   void spacePausesAndGoesOnDeleteStops() {
     addBatch();
-    station_->openProject(*session_);
+    screen_->openProject(*session_);
     QTRY_COMPARE(begun_.load(), 1);
     QTRY_COMPARE(queue_->row(0).state, QueueState::Busy);
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_Space);
@@ -91,18 +91,18 @@ class QueueStationTest : public QObject {
 
   void whatIsAskedAboutIsWhatIsStopped() {
     addBatch();
-    station_->openProject(*session_);
+    screen_->openProject(*session_);
     QTRY_COMPARE(begun_.load(), 1);
     addBatch();
     session_->tellBatchChanged("B0002");
     QCOMPARE(queue_->rowCount(), 2);
-    station_->showItem("B0001");
+    screen_->showItem("B0001");
     hours_ = 2;
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_Delete);
     auto* message = child<MessagePanel>("queueMessage");
     QVERIFY(message->isVisible());
     QCOMPARE(begun_.load(), 1);
-    station_->showItem("B0002");
+    screen_->showItem("B0002");
     QTest::mouseClick(child<QPushButton>("messageAct"), Qt::LeftButton);
     QTRY_COMPARE(queue_->row(queue_->rowOf("B0001")).state, QueueState::Failed);
     QTRY_COMPARE(begun_.load(), 2);
@@ -111,7 +111,7 @@ class QueueStationTest : public QObject {
 
   void theLogIsOneKeyAway() {
     addBatch();
-    station_->openProject(*session_);
+    screen_->openProject(*session_);
     QTRY_VERIFY(child<QPlainTextEdit>("queueLogText")->toPlainText().contains("412 corners"));
     QVERIFY(!child<QPlainTextEdit>("queueLogText")->isVisible());
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_L);
@@ -131,10 +131,10 @@ class QueueStationTest : public QObject {
           return figures;
         });
     addBatch();
-    station_->openProject(*session_);
+    screen_->openProject(*session_);
     auto* button = child<QWidget>("queueCalibrateButton");
     QTRY_VERIFY(button->isVisible());
-    QSignalSpy wanted(station_.get(), &Station::wantsStation);
+    QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_C);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted[0][0].toString(), QStringLiteral("capture"));
@@ -147,11 +147,11 @@ class QueueStationTest : public QObject {
   void aFullDiskIsSaidWithAButtonThatGoesOn() {
     refuse_ = true;
     addBatch();
-    station_->openProject(*session_);
+    screen_->openProject(*session_);
     auto* message = child<MessagePanel>("queueMessage");
     QTRY_VERIFY(message->isVisible());
     QVERIFY(message->words().contains("disk is full"));
-    QCOMPARE(station_->waiting(), 1);
+    QCOMPARE(screen_->waiting(), 1);
     refuse_ = false;
     QTest::mouseClick(child<QPushButton>("messageAct"), Qt::LeftButton);
     QTRY_COMPARE(begun_.load(), 2);
@@ -161,7 +161,7 @@ class QueueStationTest : public QObject {
  private:
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(QString::fromLatin1(name));
+    T* found = screen_->findChild<T*>(QString::fromLatin1(name));
     if (found == nullptr) qFatal("there is no %s", name);
     return found;
   }
@@ -177,8 +177,8 @@ class QueueStationTest : public QObject {
   std::unique_ptr<JobRunner> jobs_;
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<BatchQueue> queue_;
-  std::unique_ptr<QueueStation> station_;
+  std::unique_ptr<QueueScreen> screen_;
 };
 
-QTEST_MAIN(QueueStationTest)
-#include "queue_station_test.moc"
+QTEST_MAIN(QueueScreenTest)
+#include "queue_screen_test.moc"

@@ -1,7 +1,7 @@
 #pragma once
 #include <QPointer>
 
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 
 class QAction;
 class QListView;
@@ -22,11 +22,11 @@ class Thumbnails;
 class ToolRow;
 
 /// The queue on the screen: a row a batch, pause, cancel, again, report, log.
-class QueueStation final : public Station {
+class QueueScreen final : public Screen {
   Q_OBJECT
 
  public:
-  explicit QueueStation(BatchQueue* queue, QWidget* parent = nullptr);
+  explicit QueueScreen(BatchQueue* queue, QWidget* parent = nullptr);
 
   QString title() const override;
   QString iconName() const override;

@@ -10,18 +10,18 @@ class QVBoxLayout;
 
 namespace ostraka::ui {
 
-class Station;
+class Screen;
 
-/// The column of stations at the left. Each is an action with Ctrl+1..9; a count that wants a
+/// The column of screens at the left. Each is an action with Ctrl+1..9; a count that wants a
 /// person stands beside its word, and in words for screen readers.
-class Rail final : public QFrame {
+class Sidebar final : public QFrame {
   Q_OBJECT
 
  public:
-  explicit Rail(QWidget* parent = nullptr);
+  explicit Sidebar(QWidget* parent = nullptr);
 
-  QAction* addStation(Station* station);
-  /// At the foot of the rail: settings, help.
+  QAction* addScreen(Screen* screen);
+  /// At the foot of the sidebar: settings, help.
   QAction* addFoot(const QString& icon_name, const QString& text, const QKeySequence& key);
   void select(int index);
   int selected() const;
@@ -36,13 +36,13 @@ class Rail final : public QFrame {
 
  private:
   QToolButton* addButton(QAction* action, int at);
-  void showCount(Station* station, QAction* action, QToolButton* button);
+  void showCount(Screen* screen, QAction* action, QToolButton* button);
   void lay();
 
   QActionGroup* group_;
   QVBoxLayout* column_;
   std::vector<QToolButton*> buttons_;
-  int stations_ = 0;
+  int screens_ = 0;
   QSize window_;
 };
 

@@ -2,7 +2,7 @@
 #include <QPointer>
 #include <QVector>
 
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/map/map_pages.h"
 
@@ -17,12 +17,12 @@ class EmptyState;
 class MapView;
 struct PlateSherd;
 
-/// The station Map: which sherd is which on the plate, on screen and on paper.
-class MapStation final : public Station {
+/// The screen Map: which sherd is which on the plate, on screen and on paper.
+class MapScreen final : public Screen {
   Q_OBJECT
 
  public:
-  explicit MapStation(QWidget* parent = nullptr);
+  explicit MapScreen(QWidget* parent = nullptr);
 
   QString title() const override { return tr("Map"); }
   QString iconName() const override { return QStringLiteral("map"); }

@@ -1,4 +1,4 @@
-#include "virtualrig/room.h"
+#include "virtualrig/lighting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ int shadowSide(const Light& light) {
 }
 
 // Cells along the side of the ground's square.
-int gridOf(const Room& room) {
-  return 2 * room.ground_mm + 1;
+int gridOf(const Lighting& lighting) {
+  return 2 * lighting.ground_mm + 1;
 }
 
 double unit(std::uint64_t h, int part) {
@@ -24,11 +24,12 @@ double unit(std::uint64_t h, int part) {
 }
 
 // Share of each light seen from p, by strata shifted together by a hash of the point.
-LightField::Shares seenShares(const Scene& scene, const Room& room, const Eigen::Vector3f& p,
-                              const Eigen::Vector3f& normal, std::uint64_t hash) {
+LightField::Shares seenShares(const Scene& scene, const Lighting& lighting,
+                              const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
+                              std::uint64_t hash) {
   LightField::Shares shares{};
   for (int l = 0; l < kLights; ++l) {
-    const Light& light = room.lights[l];
+    const Light& light = lighting.lights[l];
     if (light.strength.isZero()) continue;
     if (light.hard) {
       shares[l] = 1;
@@ -72,16 +73,17 @@ struct FirstLight {
 
 class AmbientSource {
  public:
-  AmbientSource(const Scene& scene, const Room& room, const Ground& ground,
+  AmbientSource(const Scene& scene, const Lighting& lighting, const Ground& ground,
                 const AmbientOptions& options)
-      : scene_(scene), room_(room), ground_(ground) {
+      : scene_(scene), lighting_(lighting), ground_(ground) {
     for (int k = 0; k < kTurns; ++k)
-      rooms_.push_back(options.turning ? turned(room, 2 * std::numbers::pi * k / kTurns) : room);
+      lightings_.push_back(options.turning ? turned(lighting, 2 * std::numbers::pi * k / kTurns)
+                                           : lighting);
   }
 
   Eigen::Vector3f openPlate() const {
-    return room_.sky +
-           directLight(room_, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), {1, 1, 1});
+    return lighting_.sky +
+           directLight(lighting_, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), {1, 1, 1});
   }
 
   Eigen::Vector3f lamps(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
@@ -90,11 +92,11 @@ class AmbientSource {
     for (int k = 0; k < kTurns; ++k) {
       LightField::Shares shares;
       for (int l = 0; l < kLights; ++l) {
-        const Light& light = rooms_[k].lights[l];
+        const Light& light = lightings_[k].lights[l];
         const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(k * kLights + l));
         shares[l] = !light.strength.isZero() && seesLight(scene_, light, p, h) ? 1.f : 0.f;
       }
-      sum += directLight(rooms_[k], p, normal, shares);
+      sum += directLight(lightings_[k], p, normal, shares);
     }
     return sum / kTurns;
   }
@@ -116,7 +118,7 @@ class AmbientSource {
           radius * (std::cos(angle) * u + std::sin(angle) * v) + height * normal;
       const Scene::Hit hit = scene_.nearest(p, d);
       if (hit.body < 0 && d.z() > 0)
-        sum += (1 + 2 * d.z()) * 3 / 7 * room_.sky;
+        sum += (1 + 2 * d.z()) * 3 / 7 * lighting_.sky;
       else if (first != nullptr)
         sum += hit.body < 0 ? fromPlate(p - p.z() / d.z() * d, *first) : fromBody(hit, *first);
     }
@@ -134,7 +136,7 @@ class AmbientSource {
   }
 
   Eigen::Vector3f fromPlate(const Eigen::Vector3f& p, const FirstLight& first) const {
-    const int n = gridOf(room_);
+    const int n = gridOf(lighting_);
     const int x = std::clamp(static_cast<int>(std::lround(p.x())) + n / 2, 0, n - 1),
               y = std::clamp(static_cast<int>(std::lround(p.y())) + n / 2, 0, n - 1);
     return ground_.meanAlbedo(p.head<2>())
@@ -142,21 +144,21 @@ class AmbientSource {
   }
 
   const Scene& scene_;
-  const Room& room_;
+  const Lighting& lighting_;
   const Ground& ground_;
-  std::vector<Room> rooms_;
+  std::vector<Lighting> lightings_;
 };
 
 constexpr int kFirstSide = 6;  // directions, squared, of light that is averaged once more
 
 // Cells of the plate near enough to a sherd for it to shade them or to take sky from them.
-std::vector<char> nearSherds(const Scene& scene, const Room& room) {
-  const int n = gridOf(room);
+std::vector<char> nearSherds(const Scene& scene, const Lighting& lighting) {
+  const int n = gridOf(lighting);
   std::vector<char> close(static_cast<std::size_t>(n) * n, 0);
   for (std::size_t s = 0; s < static_cast<std::size_t>(scene.bodies()); ++s) {
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& p : scene.vertices(static_cast<int>(s))) box.extend(p);
-    const float reach = room.shadow_reach * box.max().z() + 3;
+    const float reach = lighting.shadow_reach * box.max().z() + 3;
     for (int y = 1; y < n - 1; ++y)  // the border stays open: what lies beyond is like it
       for (int x = 1; x < n - 1; ++x) {
         const Eigen::Vector2f p(static_cast<float>(x - n / 2), static_cast<float>(y - n / 2));
@@ -191,26 +193,26 @@ Light softbox(double azimuth, double elevation, double distance, double half_wid
   return light;
 }
 
-Room makeRoom(Random& random) {
-  Room room;
+Lighting makeLighting(Random& random) {
+  Lighting lighting;
   const double key = random.uniform(0, 2 * std::numbers::pi);
   const auto warm = [&](double strength) {
     const auto t = static_cast<float>(random.uniform(-0.03, 0.03)),
                s = static_cast<float>(strength);
     return Eigen::Vector3f(s * (1 + t), s, s * (1 - t));
   };
-  room.lights[0] = softbox(key, random.uniform(0.75, 1.0), 750, 190, 150, warm(0.44));
-  room.lights[1] = softbox(key + random.uniform(1.7, 2.4), random.uniform(0.65, 0.85), 800, 220,
-                           150, warm(0.24));
-  room.lights[2] =
+  lighting.lights[0] = softbox(key, random.uniform(0.75, 1.0), 750, 190, 150, warm(0.44));
+  lighting.lights[1] = softbox(key + random.uniform(1.7, 2.4), random.uniform(0.65, 0.85), 800, 220,
+                               150, warm(0.24));
+  lighting.lights[2] =
       softbox(key - random.uniform(1.5, 2.3), random.uniform(0.7, 1.1), 900, 150, 200, warm(0.15));
-  room.sky = warm(0.19);
-  return room;
+  lighting.sky = warm(0.19);
+  return lighting;
 }
 
-Room turned(const Room& room, double plate_angle_rad) {
+Lighting turned(const Lighting& lighting, double plate_angle_rad) {
   const Eigen::AngleAxisd turn(-plate_angle_rad, Eigen::Vector3d::UnitZ());
-  Room out = room;
+  Lighting out = lighting;
   for (Light& l : out.lights) {
     l.centre = turn * l.centre;
     l.half_u = turn * l.half_u;
@@ -219,25 +221,26 @@ Room turned(const Room& room, double plate_angle_rad) {
   return out;
 }
 
-LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed, int threads) {
+LightField castShadows(const Scene& scene, const Lighting& lighting, std::uint64_t seed,
+                       int threads) {
   LightField field;
   for (std::size_t s = 0; s < static_cast<std::size_t>(scene.bodies()); ++s) {
     const auto& points = scene.vertices(static_cast<int>(s));
     const auto& normals = scene.normals(static_cast<int>(s));
     field.vertices.emplace_back(points.size());
     overBlocks(points.size(), threads, [&](std::size_t i) {
-      field.vertices[s][i] =
-          seenShares(scene, room, points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
+      field.vertices[s][i] = seenShares(scene, lighting, points[i] + kLift * normals[i], normals[i],
+                                        mixed(seed + s, i));
     });
   }
-  const int n = gridOf(room);
-  const std::vector<char> close = nearSherds(scene, room);
+  const int n = gridOf(lighting);
+  const std::vector<char> close = nearSherds(scene, lighting);
   field.plate.assign(static_cast<std::size_t>(n) * n, {1, 1, 1});
   overBlocks(field.plate.size(), threads, [&](std::size_t i) {
     if (!close[i]) return;
     const Eigen::Vector3f p(static_cast<float>(static_cast<int>(i % n) - n / 2),
                             static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
-    field.plate[i] = seenShares(scene, room, p, Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+    field.plate[i] = seenShares(scene, lighting, p, Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
   });
   return field;
 }
@@ -249,18 +252,18 @@ bool seesLight(const Scene& scene, const Light& light, const Eigen::Vector3f& p,
   return !scene.blocked(p, q.cast<float>() - p, 1.f);
 }
 
-AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& ground,
+AmbientField gatherAmbient(const Scene& scene, const Lighting& lighting, const Ground& ground,
                            std::uint64_t seed, const AmbientOptions& options) {
-  const AmbientSource source(scene, room, ground, options);
+  const AmbientSource source(scene, lighting, ground, options);
   const int threads = options.threads;
-  const int n = gridOf(room);
-  const std::vector<char> close = nearSherds(scene, room);
+  const int n = gridOf(lighting);
+  const std::vector<char> close = nearSherds(scene, lighting);
   const auto cell = [n](std::size_t i) {
     return Eigen::Vector3f(static_cast<float>(static_cast<int>(i % n) - n / 2),
                            static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
   };
   AmbientField field;
-  field.plate.assign(static_cast<std::size_t>(n) * n, room.sky);
+  field.plate.assign(static_cast<std::size_t>(n) * n, lighting.sky);
   const auto over = [&](std::vector<std::vector<Eigen::Vector3f>>& vertices,
                         std::vector<Eigen::Vector3f>& cells, const auto& body) {
     vertices.resize(static_cast<std::size_t>(scene.bodies()));
@@ -293,20 +296,20 @@ AmbientField gatherAmbient(const Scene& scene, const Room& room, const Ground& g
   return field;
 }
 
-Eigen::Vector3f directLight(const Room& room, const Eigen::Vector3f& p,
+Eigen::Vector3f directLight(const Lighting& lighting, const Eigen::Vector3f& p,
                             const Eigen::Vector3f& normal, const LightField::Shares& shares) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (int l = 0; l < kLights; ++l) {
     if (shares[l] == 0) continue;
-    const Eigen::Vector3f centre = room.lights[l].centre.cast<float>();
+    const Eigen::Vector3f centre = lighting.lights[l].centre.cast<float>();
     const Eigen::Vector3f d = centre - p;
     const float square = d.squaredNorm(), cosine = normal.dot(d) / std::sqrt(square);
     // A light of angular radius asin(w) sets over a horizon of 2 w instead of at once.
-    const float w = room.lights[l].radius;
+    const float w = lighting.lights[l].radius;
     const float facing = cosine > w    ? cosine
                          : cosine < -w ? 0.f
                                        : (cosine + w) * (cosine + w) / (4 * w);
-    sum += room.lights[l].strength * (shares[l] * facing * centre.squaredNorm() / square);
+    sum += lighting.lights[l].strength * (shares[l] * facing * centre.squaredNorm() / square);
   }
   return sum;
 }

@@ -2,7 +2,7 @@
 #include <QPointer>
 
 #include "catalogue/catalogue.h"
-#include "ui/frame/station.h"
+#include "ui/frame/screen.h"
 
 class QLabel;
 class QPushButton;
@@ -26,11 +26,11 @@ class SherdTableModel;
 
 /// All sherds: filter line with chips, table with pictures; at the right the model and the details
 /// of the one that is chosen, or the edit of many, and beside them their drawing.
-class CatalogueStation final : public Station {
+class CatalogueScreen final : public Screen {
   Q_OBJECT
 
  public:
-  explicit CatalogueStation(QWidget* parent = nullptr);
+  explicit CatalogueScreen(QWidget* parent = nullptr);
 
   QString title() const override;
   QString iconName() const override { return "catalogue"; }
@@ -95,7 +95,7 @@ class CatalogueStation final : public Station {
   SherdDetails* details_ = nullptr;
   BulkEdit* bulk_ = nullptr;
   QWidget* many_ = nullptr;  ///< bulk_, scrolled where it has to be
-  bool stale_ = false;       ///< rows came or went while another station was in front
+  bool stale_ = false;       ///< rows came or went while another screen was in front
   bool reloading_ = false;   ///< what was chosen is not chosen again yet
 };
 

@@ -1,5 +1,5 @@
 // The wizard's screen by keys, with a rig that answers as the test says.
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -31,7 +31,7 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class CaptureStationTest : public QObject {
+class CaptureScreenTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -47,17 +47,17 @@ class CaptureStationTest : public QObject {
         std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
     rig_ = std::make_unique<FakeRig>();
     wizard_ = std::make_unique<CaptureWizard>();
-    station_ = std::make_unique<CaptureStation>(wizard_.get());
-    station_->resize(1200, 640);
-    station_->openProject(*session_);
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-    station_->setInFront(true);
+    screen_ = std::make_unique<CaptureScreen>(wizard_.get());
+    screen_->resize(1200, 640);
+    screen_->openProject(*session_);
+    screen_->show();
+    screen_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    screen_->setInFront(true);
   }
   void cleanup() {
-    station_->closeProject();
-    station_.reset();
+    screen_->closeProject();
+    screen_.reset();
     wizard_.reset();
     session_.reset();
   }
@@ -74,8 +74,8 @@ class CaptureStationTest : public QObject {
     QTest::keyClick(alike, Qt::Key_Space);
     QVERIFY(alike->isChecked());
     QCOMPARE(wizard_->phase(), CapturePhase::NoRig);
-    station_->setFocus();
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    screen_->setFocus();
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QVERIFY(wizard_->phase() != CapturePhase::NoRig);
     QVERIFY(session_->project().catalogue().setting("rig")->find("virtual") != std::string::npos);
   }
@@ -83,7 +83,7 @@ class CaptureStationTest : public QObject {
   void spaceIsTheNextThingUntilTheBatchIsQueued() {
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QCOMPARE(child<QLabel>("captureHeadline")->text(), wizard_->headline());
     QTest::mouseClick(child<BigButton>("captureButton"), Qt::LeftButton);
@@ -91,10 +91,10 @@ class CaptureStationTest : public QObject {
     QCOMPARE(child<QLabel>("captureHeadline")->text(), QStringLiteral("You may clear the plate."));
     // Readable from three metres: letters of 5 mm at least.
     const QFontMetricsF letters(child<QLabel>("captureHeadline")->font());
-    const double per_mm = station_->screen()->logicalDotsPerInch() / 25.4;
+    const double per_mm = screen_->screen()->logicalDotsPerInch() / 25.4;
     QVERIFY(letters.capHeight() >= 5 * per_mm);
     // What was photographed stays in sight.
-    QVERIFY(station_->findChild<StopBoard*>()->isVisible());
+    QVERIFY(screen_->findChild<StopBoard*>()->isVisible());
   }
 
   void aSpaceTypedIntoTheBagIsNoShot() {
@@ -107,7 +107,7 @@ class CaptureStationTest : public QObject {
     QCOMPARE(wizard_->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
     QTest::keyClick(bag, Qt::Key_Return);
     QVERIFY(!bag->hasFocus());
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
   }
 
@@ -118,22 +118,22 @@ class CaptureStationTest : public QObject {
     bag->setFocus();
     QTest::keyClicks(bag, "hello world");
     QTest::keyClick(bag, Qt::Key_Return);
-    QSignalSpy said(station_.get(), &CaptureStation::said);
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QSignalSpy said(screen_.get(), &CaptureScreen::said);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QCOMPARE(wizard_->phase(), CapturePhase::Place);
     QVERIFY(bag->hasFocus());
     QCOMPARE(said.count(), 1);
     QVERIFY(said[0][0].toString().startsWith("'hello world' names no bag"));
     bag->clear();
     QTest::keyClick(bag, Qt::Key_Return);
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
   }
 
   void aNewPlaceIsMarkedAndEscTakesItBack() {
     QVERIFY(bagRowOf(session_->project().catalogue(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
-    station_->closeProject();
-    station_->openProject(*session_);
+    screen_->closeProject();
+    screen_->openProject(*session_);
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     auto* place = child<QLineEdit>("capturePlace");
@@ -156,12 +156,12 @@ class CaptureStationTest : public QObject {
     rig_->front = 11;
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
-    QTest::keyClick(station_.get(), Qt::Key_S);
+    QTest::keyClick(screen_.get(), Qt::Key_S);
     QWidget* count = child<QSpinBox>("captureCounted");
     QTRY_VERIFY(count->hasFocus());
     QTest::keyClicks(count, "12");
     QCOMPARE(wizard_->counted(), 12);
-    QTest::keyClick(station_->window()->focusWidget(), Qt::Key_Space);
+    QTest::keyClick(screen_->window()->focusWidget(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     auto* doubts = child<MessagePanel>("captureDoubts");
     QTRY_VERIFY(doubts->isVisible());
@@ -176,12 +176,12 @@ class CaptureStationTest : public QObject {
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer at stop 5.", "rig"};
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* fault = child<MessagePanel>("captureFault");
     QTRY_VERIFY(fault->isVisible());
     QVERIFY(!child<BigButton>("captureButton")->isVisible());
     QVERIFY(fault->words().contains("Camera B did not answer"));
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QVERIFY(!fault->isVisible());
     QVERIFY(child<BigButton>("captureButton")->isVisible());
@@ -192,7 +192,7 @@ class CaptureStationTest : public QObject {
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B is held by another program.", "7"};
     rig_->holders = {"gvfsd-gphoto2 (77)"};
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* fault = child<MessagePanel>("captureFault");
     QTRY_VERIFY(fault->words().contains("by its program gvfsd-gphoto2 (77)"));
     auto* button = fault->findChild<BigButton*>(QStringLiteral("messageAct"));
@@ -218,24 +218,24 @@ class CaptureStationTest : public QObject {
     QVERIFY(
         rig::writeRig(session_->project().resultsFolder("B0001") / "work/rig/rig.json", rigAt(507))
             .has_value());
-    QSignalSpy said(station_.get(), &Station::said);
-    QSignalSpy renewed(station_.get(), &CaptureStation::rigRenewed);
-    station_->showItem("calibrate:B0001");  // of a project that has no rig's file
+    QSignalSpy said(screen_.get(), &Screen::said);
+    QSignalSpy renewed(screen_.get(), &CaptureScreen::rigRenewed);
+    screen_->showItem("calibrate:B0001");  // of a project that has no rig's file
     QCOMPARE(said.count(), 1);
     RigChoice choice;
     choice.kind = RigChoice::Kind::File;
     choice.file = file;
-    station_->chooseRig(choice);
-    station_->showItem("calibrate:B0001");
+    screen_->chooseRig(choice);
+    screen_->showItem("calibrate:B0001");
     QTRY_COMPARE(renewed.count(), 1);
     QCOMPARE(renewed[0][0].toString(), QStringLiteral("B0001"));
     QCOMPARE(rig::readRig(file)->cameras[0].camera_from_turntable.translation().z(), 507.0);
     QVERIFY(said.last()[0].toString().contains("RIG.before-1.json"));
     QVERIFY(QFile::exists(folder_->filePath("RIG.before-1.json")));
     // A project that is closed meanwhile says nothing to the next one.
-    station_->showItem("calibrate:B0001");
-    station_->closeProject();
-    station_->openProject(*session_);
+    screen_->showItem("calibrate:B0001");
+    screen_->closeProject();
+    screen_->openProject(*session_);
     QCoreApplication::processEvents();  // an inline job ends with the events that it posted
     QCOMPARE(renewed.count(), 1);
   }
@@ -250,12 +250,12 @@ class CaptureStationTest : public QObject {
     QFETCH(bool, at_flip);
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
-    if (at_flip) QTest::keyClick(station_.get(), Qt::Key_Space);
+    if (at_flip) QTest::keyClick(screen_.get(), Qt::Key_Space);
     const CapturePhase phase = at_flip ? CapturePhase::Flip : CapturePhase::Place;
     QTRY_COMPARE(wizard_->phase(), phase);
     const auto shot = rig_->asked.size();
     QVERIFY(QDir(folder_->path()).mkpath("half/front"));
-    station_->importer()->start(folder_->filePath("half"), ImportKind::Scans, {});
+    screen_->importer()->start(folder_->filePath("half"), ImportKind::Scans, {});
     QTRY_VERIFY(shownMessage() != nullptr);
     QVERIFY(shownMessage()->words().contains("There are no scans"));
     emit wizard_->changed();  // what the rig says meanwhile does not take it away unread
@@ -269,7 +269,7 @@ class CaptureStationTest : public QObject {
   }
 
   void anImportThatFailsWithoutARigIsShownToo() {
-    station_->importer()->start(folder_->filePath("absent"), ImportKind::Scans, {});
+    screen_->importer()->start(folder_->filePath("absent"), ImportKind::Scans, {});
     QTRY_VERIFY(shownMessage() != nullptr);
     QTest::mouseClick(shownMessage()->findChild<BigButton*>("messageAct"), Qt::LeftButton);
     QVERIFY(shownMessage() == nullptr);
@@ -282,8 +282,8 @@ class CaptureStationTest : public QObject {
     QVERIFY(!stop->isVisible());
     for (const char* file : {"scans/front/a.ply", "scans/back/b.ply"})
       QVERIFY(writeFileAtomically(folder_->filePath(file).toStdString(), "x").has_value());
-    QSignalSpy said(station_.get(), &Station::said);
-    BatchImporter* importer = station_->importer();
+    QSignalSpy said(screen_.get(), &Screen::said);
+    BatchImporter* importer = screen_->importer();
     importer->start(folder_->filePath("scans"), ImportKind::Scans, {});
     QVERIFY(stop->isVisible());
     QVERIFY(!child<QAction>("importScans")->isEnabled());
@@ -309,9 +309,9 @@ class CaptureStationTest : public QObject {
     for (const char* file : {"front/a.ply", "back/b.ply"})
       QVERIFY(writeFileAtomically(std::filesystem::path(scans.path().toStdString()) / file, file)
                   .has_value());
-    auto* ask = station_->findChild<ImportAsk*>();
-    QSignalSpy imported(station_->importer(), &BatchImporter::imported);
-    auto* turntable = station_->findChild<CaptureFoot*>()->place();
+    auto* ask = screen_->findChild<ImportAsk*>();
+    QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
+    auto* turntable = screen_->findChild<CaptureFoot*>()->place();
     turntable->setText("ARM1-T3-0012-4");
     ask->ask(scans.path(), ImportKind::Scans);
     QVERIFY(ask->isVisible());
@@ -358,10 +358,10 @@ class CaptureStationTest : public QObject {
     rig_->flagged = {{0, 1}};
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
-    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* doubts = child<MessagePanel>("captureDoubts");
     QTRY_VERIFY(doubts->isVisible());
-    QTest::keyClick(station_.get(), Qt::Key_R);
+    QTest::keyClick(screen_.get(), Qt::Key_R);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QVERIFY(!doubts->isVisible());
   }
@@ -370,9 +370,9 @@ class CaptureStationTest : public QObject {
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QCOMPARE(wizard_->camera(), 2);
-    QTest::keyClick(station_.get(), Qt::Key_A);
+    QTest::keyClick(screen_.get(), Qt::Key_A);
     QCOMPARE(wizard_->camera(), 0);
-    QTest::keyClick(station_.get(), Qt::Key_B);
+    QTest::keyClick(screen_.get(), Qt::Key_B);
     QCOMPARE(wizard_->camera(), 1);
   }
 
@@ -384,7 +384,7 @@ class CaptureStationTest : public QObject {
     batch.bags = {{*bag}};
     const auto row = rows.addBatch(batch, {});
     QVERIFY(row.has_value());
-    capture::PlateLook look;
+    capture::PlateInspection look;
     look.pixel_from_plate = Eigen::Matrix3d::Identity();
     look.sherds.resize(3);
     for (const int i : {0, 1, 2}) look.sherds[static_cast<std::size_t>(i)].centre_mm = {60 * i, 5};
@@ -468,12 +468,12 @@ class CaptureStationTest : public QObject {
  private:
   template <class T>
   T* child(const char* name) {
-    T* found = station_->findChild<T*>(QString::fromLatin1(name));
+    T* found = screen_->findChild<T*>(QString::fromLatin1(name));
     if (found == nullptr) qFatal("there is no %s", name);
     return found;
   }
   MessagePanel* shownMessage() {
-    for (auto* panel : station_->findChildren<MessagePanel*>())
+    for (auto* panel : screen_->findChildren<MessagePanel*>())
       if (panel->isVisible()) return panel;
     return nullptr;
   }
@@ -482,8 +482,8 @@ class CaptureStationTest : public QObject {
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<FakeRig> rig_;
   std::unique_ptr<CaptureWizard> wizard_;
-  std::unique_ptr<CaptureStation> station_;
+  std::unique_ptr<CaptureScreen> screen_;
 };
 
-QTEST_MAIN(CaptureStationTest)
-#include "capture_station_test.moc"
+QTEST_MAIN(CaptureScreenTest)
+#include "capture_screen_test.moc"

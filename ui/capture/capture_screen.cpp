@@ -1,4 +1,4 @@
-#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_screen.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -42,8 +42,8 @@ constexpr double kFromAfar = 3;  // of the body's letters
 
 }  // namespace
 
-CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
-    : Station(parent),
+CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
+    : Screen(parent),
       wizard_(wizard),
       importer_(new BatchImporter(this)),
       renewal_(new RigRenewal(this)),
@@ -71,22 +71,22 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   all->addWidget(twice_);
   all->addWidget(failure_);
 
-  connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
-  connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureStation::followLive);
+  connect(wizard_, &CaptureWizard::changed, this, &CaptureScreen::follow);
+  connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureScreen::followLive);
   connect(wizard_, &CaptureWizard::shotsChanged, board_, &StopBoard::follow);
-  connect(wizard_, &CaptureWizard::shotsChanged, this, &CaptureStation::tellWork);
-  connect(wizard_, &CaptureWizard::said, this, &Station::said);
+  connect(wizard_, &CaptureWizard::shotsChanged, this, &CaptureScreen::tellWork);
+  connect(wizard_, &CaptureWizard::said, this, &Screen::said);
   connect(wizard_, &CaptureWizard::batchQueued, this,
           [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
-  connect(wizard_, &CaptureWizard::batchSetAside, this, &CaptureStation::batchSetAside);
-  connect(wizard_, &CaptureWizard::rigTried, this, &CaptureStation::followRig);
+  connect(wizard_, &CaptureWizard::batchSetAside, this, &CaptureScreen::batchSetAside);
+  connect(wizard_, &CaptureWizard::rigTried, this, &CaptureScreen::followRig);
   connect(rig_page_, &RigPage::kept, wizard_, &CaptureWizard::keepRig);
-  connect(rig_page_, &RigPage::chosen, this, &CaptureStation::chooseRig);
+  connect(rig_page_, &RigPage::chosen, this, &CaptureScreen::chooseRig);
   connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
   connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
-  connect(importer_, &BatchImporter::imported, this, &CaptureStation::showImported);
-  connect(importer_, &BatchImporter::failed, this, &CaptureStation::showFailure);
-  connect(renewal_, &RigRenewal::failed, this, &CaptureStation::showFailure);
+  connect(importer_, &BatchImporter::imported, this, &CaptureScreen::showImported);
+  connect(importer_, &BatchImporter::failed, this, &CaptureScreen::showFailure);
+  connect(renewal_, &RigRenewal::failed, this, &CaptureScreen::showFailure);
   connect(renewal_, &RigRenewal::renewed, this, [this](const QString& batch, const QString& kept) {
     chooseRig(rigChoice());  // its age is new
     emit rigRenewed(batch);
@@ -96,10 +96,10 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   follow();
 }
 
-void CaptureStation::buildImport(QVBoxLayout* all) {
+void CaptureScreen::buildImport(QVBoxLayout* all) {
   import_ask_ = new ImportAsk(this);
   chooser_ = new ImportChooser(this, import_ask_);
-  connect(chooser_, &ImportChooser::failed, this, &CaptureStation::showFailure);
+  connect(chooser_, &ImportChooser::failed, this, &CaptureScreen::showFailure);
   connect(import_photographs_, &QAction::triggered, this,
           [this] { chooser_->choose(ImportKind::Photographs); });
   connect(import_scans_, &QAction::triggered, this,
@@ -118,8 +118,8 @@ void CaptureStation::buildImport(QVBoxLayout* all) {
   all->addWidget(new ImportLine(importer_, this));
 }
 
-QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, const QString& text,
-                                const QKeySequence& key) {
+QAction* CaptureScreen::addAct(const QString& name, const QString& icon_name, const QString& text,
+                               const QKeySequence& key) {
   auto* action = new QAction(icon(icon_name), text, this);
   action->setObjectName(name);
   action->setShortcut(key);
@@ -128,7 +128,7 @@ QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, c
   return action;
 }
 
-void CaptureStation::buildActions() {
+void CaptureScreen::buildActions() {
   next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("Next step"),
                  QKeySequence(Qt::Key_Space));
   next_->setAutoRepeat(false);  // a key that is held does one thing
@@ -160,7 +160,7 @@ void CaptureStation::buildActions() {
     connect(action, &QAction::triggered, this, [this, camera] { wizard_->setCamera(camera); });
     cameras_.push_back(action);
   }
-  connect(next_, &QAction::triggered, this, &CaptureStation::goOn);
+  connect(next_, &QAction::triggered, this, &CaptureScreen::goOn);
   connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
   connect(again_, &QAction::triggered, this, [this] {
     if (namesABag()) wizard_->again();
@@ -169,14 +169,14 @@ void CaptureStation::buildActions() {
   connect(set_aside_, &QAction::triggered, wizard_, &CaptureWizard::setAside);
 }
 
-void CaptureStation::goOn() {
+void CaptureScreen::goOn() {
   if (!rig_page_->isHidden()) return rig_page_->goOn();
   if (number_edit_->isVisible() && !number_edit_->keepTyped()) return;
   if (namesABag()) wizard_->next();
 }
 
 // A word that names no bag would leave all its sherds without a context.
-bool CaptureStation::namesABag() {
+bool CaptureScreen::namesABag() {
   if (!wizard_->canDescribe() || place_->isUsable()) return true;
   place_->choose();
   emit said(tr("'%1' names no bag: write site-trench-context-bag, or empty the line to go on "
@@ -185,7 +185,7 @@ bool CaptureStation::namesABag() {
   return false;
 }
 
-QWidget* CaptureStation::buildWorkPage() {
+QWidget* CaptureScreen::buildWorkPage() {
   auto* page = new QWidget(this);
   headline_ = new QLabel(page);
   headline_->setObjectName(QStringLiteral("captureHeadline"));
@@ -206,8 +206,8 @@ QWidget* CaptureStation::buildWorkPage() {
   });
   connect(number_, &QAction::triggered, this,
           [this] { number_edit_->choose(number_edit_->sherd()); });
-  connect(number_edit_, &NumberEdit::chosen, this, &CaptureStation::followNumbers);
-  connect(numbers_, &SherdNumbers::changed, this, &CaptureStation::followNumbers);
+  connect(number_edit_, &NumberEdit::chosen, this, &CaptureScreen::followNumbers);
+  connect(numbers_, &SherdNumbers::changed, this, &CaptureScreen::followNumbers);
   connect(number_edit_, &NumberEdit::finished, this, [this] {
     setFocus();
     followNumbers();
@@ -228,7 +228,7 @@ QWidget* CaptureStation::buildWorkPage() {
   other_numbers_->hide();
   connect(other_numbers_, &MessagePanel::acted, wizard_, &CaptureWizard::takeNumbersAsRight);
   for (MessagePanel* panel : {doubts_, other_numbers_}) panel->setBesidePrimary();
-  connect(numbers_, &SherdNumbers::changed, this, &CaptureStation::followBag);
+  connect(numbers_, &SherdNumbers::changed, this, &CaptureScreen::followBag);
   QWidget* foot = buildFoot();
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -242,7 +242,7 @@ QWidget* CaptureStation::buildWorkPage() {
 }
 
 // What is looked at; where it finds no room it is scrolled, and what decides is not.
-QWidget* CaptureStation::buildMiddle(QWidget* page) {
+QWidget* CaptureScreen::buildMiddle(QWidget* page) {
   auto* middle = new QWidget(page);
   auto* row = new QHBoxLayout;
   row->addWidget(middle_, 1);
@@ -256,14 +256,14 @@ QWidget* CaptureStation::buildMiddle(QWidget* page) {
   return middle;
 }
 
-QWidget* CaptureStation::buildFoot() {
+QWidget* CaptureScreen::buildFoot() {
   foot_ = new CaptureFoot(
       wizard_,
       {next_, stop_, cameras_, {import_photographs_, import_scans_, change_rig_, set_aside_}},
       this);
   place_ = foot_->place();
   connect(foot_, &CaptureFoot::entered, this, qOverload<>(&QWidget::setFocus));
-  connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
+  connect(place_, &PlaceEdit::edited, this, &CaptureScreen::placeTyped);
   connect(place_, &PlaceEdit::settled, wizard_, &CaptureWizard::keepDescribed);
   connect(wizard_, &CaptureWizard::placeRead, this, [this] {
     place_->setText(wizard_->place().typed());
@@ -273,20 +273,20 @@ QWidget* CaptureStation::buildFoot() {
   return foot_;
 }
 
-QString CaptureStation::title() const {
+QString CaptureScreen::title() const {
   return tr("Capture");
 }
-QString CaptureStation::iconName() const {
+QString CaptureScreen::iconName() const {
   return QStringLiteral("capture");
 }
-QString CaptureStation::manualPage() const {
+QString CaptureScreen::manualPage() const {
   return QStringLiteral("capture");
 }
-QString CaptureStation::whereWords() const {
+QString CaptureScreen::whereWords() const {
   return wizard_->place().words();
 }
 
-void CaptureStation::openProject(ProjectSession& session) {
+void CaptureScreen::openProject(ProjectSession& session) {
   session_ = &session;
   thumbnails_ = new Thumbnails(session.jobs(), this);
   board_->setThumbnails(thumbnails_);
@@ -311,7 +311,7 @@ void CaptureStation::openProject(ProjectSession& session) {
   follow();
 }
 
-void CaptureStation::closeProject() {
+void CaptureScreen::closeProject() {
   if (session_ != nullptr && !number_edit_->isHidden()) number_edit_->keepTyped();
   wizard_->setLive(false);
   wizard_->setSession(nullptr);
@@ -332,17 +332,17 @@ void CaptureStation::closeProject() {
   session_ = nullptr;
 }
 
-void CaptureStation::setInFront(bool in_front) {
+void CaptureScreen::setInFront(bool in_front) {
   wizard_->setLive(in_front);
   if (in_front) setFocus();
 }
 
-QAbstractButton* CaptureStation::primary() const {
+QAbstractButton* CaptureScreen::primary() const {
   if (!rig_page_->isHidden()) return rig_page_->primary();
   return fault_->act() != nullptr ? fault_->act() : foot_->button();
 }
 
-void CaptureStation::setCompact(bool compact) {
+void CaptureScreen::setCompact(bool compact) {
   compact_ = compact;
   foot_->setCompact(compact);
   for (MessagePanel* panel : {fault_, doubts_, other_numbers_, failure_, twice_})
@@ -350,28 +350,28 @@ void CaptureStation::setCompact(bool compact) {
   follow();
 }
 
-void CaptureStation::showFailure(const Error& error) {
+void CaptureScreen::showFailure(const Error& error) {
   if (error.code == ErrorCode::Cancelled)
     return emit said(tr("Import cancelled. Nothing was left behind."));
   failure_->showError(error, tr("OK"));
   emit said(sentenceOf(error));
 }
 
-void CaptureStation::showImported(const QString& number, int files, const QStringList& doubts) {
+void CaptureScreen::showImported(const QString& number, int files, const QStringList& doubts) {
   const QString words =
       tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number);
   if (!doubts.isEmpty()) failure_->showWords(words, doubts.join(QLatin1Char('\n')), tr("OK"));
   emit said(words);
 }
 
-void CaptureStation::placeTyped() {
+void CaptureScreen::placeTyped() {
   wizard_->setPlace(place_->place());
   if (session_ != nullptr && place_->isUsable())
     (void)session_->project().catalogue().setSetting(kPlaceKey, place_->text().toStdString());
   emit lineChanged();
 }
 
-void CaptureStation::follow() {
+void CaptureScreen::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
   rig_page_->setVisible(no_rig);
@@ -406,7 +406,7 @@ void CaptureStation::follow() {
 }
 
 // On whatever screen the person waits.
-void CaptureStation::tellWork() {
+void CaptureScreen::tellWork() {
   const bool shooting = wizard_->isShooting();
   if (!shooting && !working_) return;
   working_ = shooting;
@@ -416,12 +416,12 @@ void CaptureStation::tellWork() {
 }
 
 // That the plate may be cleared is read from three metres.
-double CaptureStation::headlineSize() const {
+double CaptureScreen::headlineSize() const {
   if (wizard_->phase() == CapturePhase::Done) return compact_ ? Look::kDecides : kFromAfar;
   return compact_ ? Look::kSection : Look::kTitle;
 }
 
-void CaptureStation::followLive() {
+void CaptureScreen::followLive() {
   const CapturePhase phase = wizard_->phase();
   const bool front = phase == CapturePhase::Flip && wizard_->frontPicture();
   plate_->setPicture(front ? wizard_->frontPicture()
@@ -438,7 +438,7 @@ void CaptureStation::followLive() {
   followNumbers();
 }
 
-void CaptureStation::followNumbers() {
+void CaptureScreen::followNumbers() {
   plate_->setNumbers(numbers_->all(),
                      number_edit_->isVisible() && number_edit_->isAncestorOf(focusWidget())
                          ? number_edit_->sherd()
@@ -446,7 +446,7 @@ void CaptureStation::followNumbers() {
 }
 
 // Their labels would carry one context, and the catalogue another.
-void CaptureStation::followBag() {
+void CaptureScreen::followBag() {
   QStringList numbers = wizard_->numbersOfAnotherBag();
   other_numbers_->setVisible(!numbers.isEmpty());
   if (numbers.isEmpty()) return;
@@ -460,7 +460,7 @@ void CaptureStation::followBag() {
                             tr("Keep these numbers"));
 }
 
-void CaptureStation::showTrouble() {
+void CaptureScreen::showTrouble() {
   if (wizard_->fault()) {
     Error shown = *wizard_->fault();
     if (!wizard_->holders().isEmpty())

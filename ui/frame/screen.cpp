@@ -1,0 +1,3 @@
+#include "ui/frame/screen.h"
+
+// The signals of Screen are compiled here.

@@ -1,3 +1,0 @@
-#include "ui/frame/station.h"
-
-// The signals of Station are compiled here.

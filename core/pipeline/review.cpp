@@ -14,7 +14,7 @@ using pairing::Doubt;
 using registration::FailedCheck;
 using registration::Registration;
 
-// The figure that a failed_check is about.
+// The figure that a failed check is about.
 double valueOf(const Registration& r) {
   switch (r.failed_check) {
     case FailedCheck::FacesCross:

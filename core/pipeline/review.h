@@ -28,7 +28,7 @@ struct ReviewCandidate {
   std::vector<int> shifts;  ///< the good start points, rising
   bool check_failed = false;
   registration::FailedCheck failed_check = registration::FailedCheck::None;
-  double check_value = 0;  ///< what the failed_check is about, in the unit of its field
+  double check_value = 0;  ///< what the failed check is about, in the unit of its field
 };
 
 /// One front: what was found for it, what was decided, why it is doubtful.

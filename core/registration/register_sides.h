@@ -77,7 +77,7 @@ struct Registration {
   double thickness_mm = 0;    ///< median distance of the faces
   bool check_failed = false;  ///< the pose must not be believed
   FailedCheck failed_check = FailedCheck::None;  ///< why
-  std::string reason;  ///< why check_failed, one sentence; empty otherwise
+  std::string reason;  ///< why the check failed, one sentence; empty otherwise
   int start = -1;      ///< index of the start it came from
 };
 

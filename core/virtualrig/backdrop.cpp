@@ -63,7 +63,7 @@ Eigen::Vector3f PlateBackdrop::top(const Eigen::Vector3f& p) const {
   return plate_.albedo(p.head<2>()).cwiseProduct(irradiance) * handShare(hand_, p);
 }
 
-// A dark cloth in the plate's wide shadow; it stays with the lighting.
+// A dark cloth in the plate's wide shadow; it stays with the room.
 Eigen::Vector3f PlateBackdrop::table(const Eigen::Vector3f& p) const {
   const float radius = p.head<2>().norm();
   const float open = 1 / (1 + std::exp((PlateSurface::kRadius + 15 - radius) / 35));

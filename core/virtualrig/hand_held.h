@@ -11,7 +11,7 @@ enum class TableKind { Wood, Cloth, Granite, CuttingMat };
 enum class LightKind {
   Window,    ///< large and from one side
   Lamp,      ///< a desk lamp: small, warm, with hard shadows
-  Flash,     ///< at the camera, in a dim lighting
+  Flash,     ///< at the camera, in a dim room
   Overcast,  ///< outdoors without sun: from everywhere
   Sun        ///< hard shadows, blue sky
 };

@@ -36,7 +36,7 @@ struct Lighting {
 Light softbox(double azimuth_rad, double elevation_rad, double distance, double half_width,
               double half_height, const Eigen::Vector3f& strength);
 Lighting makeLighting(Random& random);
-/// The lighting turned against the plate, so that shadows stay with the lighting: plate_from_room.
+/// The room turned against the plate, so that shadows stay with the lamps: plate_from_room.
 Lighting turned(const Lighting& lighting, double plate_angle_rad);
 
 /// Shares of each light that points see, at each vertex and on a grid of the plate.
@@ -56,7 +56,7 @@ LightField castShadows(const Scene& scene, const Lighting& room_plate, std::uint
                        int threads);
 
 struct AmbientOptions {
-  bool turning = true;  ///< the plate turns in the lighting: lamps are averaged over its turns
+  bool turning = true;  ///< the plate turns in the room: lamps are averaged over its turns
   int side = 6;         ///< side x side directions at each vertex of a sherd
   int ground_side = 6;  ///< the same at each cell of the ground; white paper shows their noise
   int threads = 0;

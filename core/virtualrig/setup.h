@@ -13,13 +13,13 @@ inline constexpr int kCameras = 3;  ///< of the rig that makeRig draws
 /// Cameras and a turntable.
 struct VirtualRig {
   std::vector<rig::Intrinsics> intrinsics;
-  std::vector<Eigen::Isometry3d> camera_from_room;  ///< lighting: the plate's frame at stop 0
+  std::vector<Eigen::Isometry3d> camera_from_room;  ///< room: the plate's frame at stop 0
   std::vector<double> angles_rad;                   ///< of the plate, counter-clockwise, by stop
 
   int cameras() const { return static_cast<int>(intrinsics.size()); }
   Eigen::Isometry3d cameraFromPlate(int camera, int stop) const;
 };
-/// camera_from_room: x right, y down, z towards `target`; the lighting's z stays up in the picture,
+/// camera_from_room: x right, y down, z towards `target`; the room's z stays up in the picture,
 /// up to the roll.
 Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                             double roll_rad);

@@ -86,7 +86,7 @@ Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
          lit(p, Eigen::Vector3f::UnitZ(), r, table_.albedo(p.head<2>()), table_.gloss(), hash);
 }
 
-// The floor under a table is darker, and the wall is lit by the lighting.
+// The floor under a table is darker, and the wall is lit by the room.
 Eigen::Vector3f SheetBackdrop::beyond(const Ray& r) const {
   const Eigen::Vector3f open =
       lighting_.sky +

@@ -78,7 +78,7 @@ class Photographer {
 
   const SheetSurface& sheet() const { return *sheet_; }
 
-  // As many things as were asked for, in an order that chance chooses, as far as there is lighting.
+  // As many things as were asked for, in an order that chance chooses, as far as there is room.
   std::vector<Prop> clutter(const std::vector<VirtualSherd>& sherds,
                             const std::vector<Eigen::Isometry3d>& poses, Random& random) const {
     std::vector<Eigen::Vector2d> taken;

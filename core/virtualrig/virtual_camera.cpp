@@ -35,7 +35,7 @@ SimulateOptions simulateOptions(const VirtualDevicesOptions& options,
   return simulate;
 }
 
-// The lighting with its plate, shared by the devices.
+// The room with its plate, shared by the devices.
 class VirtualPlace {
  public:
   VirtualPlace(const VirtualDevicesOptions& options, std::vector<VirtualSherd> sherds,

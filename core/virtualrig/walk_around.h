@@ -10,7 +10,7 @@
 #include "virtualrig/lighting.h"
 #include "virtualrig/sensor.h"
 
-/// What a person, a camera and a lighting do differently from photograph to photograph.
+/// What a person, a camera and a room do differently from photograph to photograph.
 namespace ostraka::virtualrig {
 
 /// What one kind of camera does to all its photographs.
@@ -42,9 +42,9 @@ struct FreeShot {
 std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraModel& model,
                                  int width, Random& random);
 
-/// The lighting's light. It stands still with the sheet, except for a flash: withFlash.
+/// The light of the room. It stands still with the sheet, except for a flash: withFlash.
 Lighting makeLighting(LightKind kind, Random& random);
-/// The lighting with its first light carried to the camera.
+/// The lighting with its first lamp carried to the camera.
 Lighting withFlash(const Lighting& lighting, const Eigen::Isometry3d& camera_from_plate);
 
 }  // namespace ostraka::virtualrig

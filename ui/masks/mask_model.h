@@ -34,7 +34,7 @@ class MaskModel final : public QObject {
   int edited() const;              ///< how many photographs are
   bool canCompute() const { return painted_ || edited() > 0; }
 
-  /// The photograph, and a overlay over what is sherd; null while they are read.
+  /// The photograph, and an overlay of what is sherd; null while they are read.
   const QImage& photograph() const { return photograph_; }
   const QImage& overlay() const { return overlay_; }
 

@@ -6,7 +6,7 @@
 
 namespace ostraka::ui {
 
-/// A photograph under a overlay, and a round brush. The wheel and + - enlarge, the right button
+/// A photograph under an overlay, and a round brush. The wheel and + - enlarge, the right button
 /// moves the picture. By keyboard: the arrows move the brush, Space paints where it is.
 class MaskView final : public QWidget {
   Q_OBJECT

@@ -64,7 +64,7 @@ QString RigChoice::toJson() const {
   object[QStringLiteral("sherds")] = sherds;
   object[QStringLiteral("width_px")] = width_px;
   object[QStringLiteral("seed")] = QString::number(seed);
-  object[QStringLiteral("lookalikes")] = lookalikes;
+  object[QStringLiteral("near_duplicates")] = near_duplicates;
   return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
 }
 
@@ -78,7 +78,7 @@ RigChoice RigChoice::fromJson(const QString& text) {
   choice.sherds = qBound(1, object[QStringLiteral("sherds")].toInt(choice.sherds), 20);
   choice.width_px = qBound(400, object[QStringLiteral("width_px")].toInt(choice.width_px), 6000);
   choice.seed = object[QStringLiteral("seed")].toString(QStringLiteral("1")).toULongLong();
-  choice.lookalikes = object[QStringLiteral("lookalikes")].toBool();
+  choice.near_duplicates = object[QStringLiteral("near_duplicates")].toBool();
   return choice;
 }
 

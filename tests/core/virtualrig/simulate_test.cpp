@@ -204,7 +204,7 @@ TEST(SimulateOptions, NameTheFieldThatCannotBe) {
   EXPECT_NE(options.check().error().what.find("width"), std::string::npos);
   options = tiny("x");
   options.near_duplicates = 2;
-  EXPECT_NE(options.check().error().what.find("lookalikes"), std::string::npos);
+  EXPECT_NE(options.check().error().what.find("near_duplicates"), std::string::npos);
   options.near_duplicates = 0;
   options.scans_only = true;
   options.fault = Fault::Blur;

@@ -187,7 +187,7 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
                                 const NetworkMaskOptions& options) {
   if (const Result<void> ok = options.check(); !ok) return ok.error();
   if (photograph.type() != CV_8UC3 || photograph.empty())
-    return Error{ErrorCode::UnusableInput, "The network needs a colour photograph of 8 bits.", {}};
+    return Error{ErrorCode::UnusableInput, "The network needs an 8-bit colour photograph.", {}};
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
   const Result<cv::Size> size = networkInputSize(*model, photograph.size(), options, onnx.string());

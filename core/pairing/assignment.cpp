@@ -216,7 +216,7 @@ Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int 
     if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
         !std::isfinite(e.log_likelihood)) {
       return Error{
-          ErrorCode::UnusableInput, "The evidence of a pair has no valid scans or figure.", {}};
+          ErrorCode::UnusableInput, "The evidence for a pair has no valid scans or value.", {}};
     }
   }
   return {};

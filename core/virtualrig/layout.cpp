@@ -257,8 +257,7 @@ Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOpt
                "The " + std::to_string(sherds.size()) +
                    (options.hand_held
                         ? " sherds do not fit on the sheet; ask for fewer, or for a larger one."
-                        : " sherds do not fit on the plate; ask for fewer, or for "
-                          "another seed."),
+                        : " sherds do not fit on the plate; use fewer, or another seed."),
                {}};
 }
 

@@ -215,7 +215,7 @@ TEST(PlateMasks, AClothOnAThirdOfTheMarkersIsNotTakenForATurnedPlate) {
       maskByPlate(even.images, even.photographs, even.plate, turned, {}, quiet, {});
   ASSERT_TRUE(refused.has_value());
   ASSERT_EQ(refused->warnings.size(), 1U);
-  EXPECT_THAT(refused->warnings[0], testing::HasSubstr("shows the plate at none of the stops"));
+  EXPECT_THAT(refused->warnings[0], testing::HasSubstr("shows the plate at none of the positions"));
 }
 
 TEST(PlateMasks, AnEmptyPlateAtAnyStopIsUsedWithoutAWord) {

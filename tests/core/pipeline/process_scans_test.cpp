@@ -110,7 +110,7 @@ TEST_F(ProcessScans, NamesAModelOfWhichMuchIsFilledIn) {
   ASSERT_EQ(summary->sherds.size(), 3u);
   for (const SherdSummary& sherd : summary->sherds) {
     EXPECT_TRUE(sherd.has_model) << sherd.remark;
-    const bool named = sherd.remark.find("seen by no camera") != std::string::npos;
+    const bool named = sherd.remark.find("unseen by any camera") != std::string::npos;
     EXPECT_EQ(named, sherd.front == "f002") << sherd.front << ": " << sherd.remark;
   }
 }

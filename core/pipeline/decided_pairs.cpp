@@ -190,7 +190,7 @@ Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
     if (partnerOf(*free, pair.decision.front) != pair.decision.back) {
       pair.decision.ambiguous = true;  // nothing is taken silently
       pair.decision.doubt = pairing::Doubt::Displaced;
-      pair.decision.reason = "Its back was given to another front by a person.";
+      pair.decision.reason = "A person assigned its back to another front.";
     }
   for (const Settled::Pair& pair : settled.pairs)
     decided->pairs.push_back(decidedPair(table, *free, pair));

@@ -81,13 +81,13 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
   ahead.lines.push_back("before: photographs: " + std::to_string(fronts) + " of the front, " +
                         std::to_string(backs) + " of the back, from " +
                         std::to_string(cameras.size()) + " cameras at " +
-                        std::to_string(stops.size()) + " stops; " +
+                        std::to_string(stops.size()) + " positions; " +
                         text("%.1f megapixels, used with %.1f", original, ahead.megapixels));
   ahead.lines.push_back(std::string("before: cameras: ") +
                         (!batch.plate  ? "found by COLMAP"
                          : options.rig ? "from the plate's markers, lenses from the calibrated rig"
                          : batch.calibration.empty()
-                             ? "lenses and places from the plate's markers alone"
+                             ? "lenses and poses from the plate's markers alone"
                              : "from the plate's markers, lenses from " +
                                    std::to_string(batch.calibration.size()) +
                                    " photographs of the board"));

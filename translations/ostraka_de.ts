@@ -7459,7 +7459,7 @@
       <translation>Masken: Die leere Platte von Kamera %1 zeigt die Platte an keiner der Positionen; bei der ersten noch einmal aufnehmen; ohne sie maskiert</translation>
     </message>
     <message>
-      <source>masks: the empty-plate photograph of camera %1 shows markers that something covers in %2; uncover them; masks are made without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken: Die leere Platte von Kamera %1 zeigt Marken, die in %2 von etwas verdeckt sind; wegnehmen, was auf ihnen liegt; ohne sie maskiert</translation>
     </message>

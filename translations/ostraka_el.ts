@@ -7454,7 +7454,7 @@
       <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 δεν δείχνει τον δίσκο σε καμία από τις στάσεις· τραβήξτε τον ξανά στην πρώτη· οι μάσκες έγιναν χωρίς αυτόν</translation>
     </message>
     <message>
-      <source>masks: the empty-plate photograph of camera %1 shows markers that something covers in %2; uncover them; masks are made without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 δείχνει δείκτες που κάτι τους καλύπτει στο %2· αφαιρέστε ό,τι είναι πάνω τους· οι μάσκες έγιναν χωρίς αυτόν</translation>
     </message>

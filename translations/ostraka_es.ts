@@ -7454,7 +7454,7 @@
       <translation>máscaras: el plato vacío de la cámara %1 no muestra el plato en ninguna de las paradas; repítalo en la primera; enmascarado sin él</translation>
     </message>
     <message>
-      <source>masks: the empty-plate photograph of camera %1 shows markers that something covers in %2; uncover them; masks are made without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras: el plato vacío de la cámara %1 muestra marcas que algo tapa en %2; retire lo que está encima de ellas; enmascarado sin él</translation>
     </message>

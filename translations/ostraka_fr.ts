@@ -7454,7 +7454,7 @@
       <translation>masques : le plateau vide de l’appareil %1 ne montre le plateau à aucun des arrêts ; reprenez-le au premier ; masqué sans lui</translation>
     </message>
     <message>
-      <source>masks: the empty-plate photograph of camera %1 shows markers that something covers in %2; uncover them; masks are made without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques : le plateau vide de l’appareil %1 montre des marques que quelque chose recouvre dans %2 ; ôtez ce qui est posé dessus ; masqué sans lui</translation>
     </message>

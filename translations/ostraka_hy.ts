@@ -7454,7 +7454,7 @@
       <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը սկավառակը կանգառներից ոչ մեկում չի ցուցադրում. նորից նկարեք առաջին կանգառում. դիմակներն արվել են առանց դրա</translation>
     </message>
     <message>
-      <source>masks: the empty-plate photograph of camera %1 shows markers that something covers in %2; uncover them; masks are made without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակը ցույց է տալիս նշիչներ, որոնք %2-ում ծածկված են. հանեք դրանց վրա դրվածը. դիմակներն արվել են առանց դրա</translation>
     </message>

@@ -7406,7 +7406,7 @@
       <translation>maskeler: %1 kamerasının boş tabla resmi tablayı hiçbir durakta göstermiyor; ilk durakta yeniden çekin; onsuz maskelendi</translation>
     </message>
     <message>
-      <source>masks: the empty-plate photograph of camera %1 shows markers that something covers in %2; uncover them; masks are made without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler: %1 kamerasının boş tablasında görünen işaretleri %2 resminde bir şey örtüyor; üzerlerindekini kaldırın; onsuz maskelendi</translation>
     </message>

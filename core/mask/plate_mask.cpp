@@ -251,8 +251,7 @@ class PlateMasker {
       return refuse("shows the plate at none of the positions; retake it at the first");
     // Used all the same, it would make a sherd of what lies on the markers in every photograph.
     if (best.whole < kFits)
-      return refuse("shows markers that something covers in " + images_[members[at]].file +
-                    "; uncover them");
+      return refuse("shows covered markers in " + images_[members[at]].file + "; uncover them");
     return {empty, static_cast<int>(at)};
   }
 

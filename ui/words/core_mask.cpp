@@ -39,8 +39,8 @@ Sentences sentencesOfMask() {
                         "masks: the empty-plate photograph of camera %1 shows the plate at none of "
                         "the positions; retake it at the first; masks are made without it"),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "masks: the empty-plate photograph of camera %1 shows markers that "
-                        "something covers in %2; uncover them; masks are made without it"),
+                        "masks: the empty-plate photograph of camera %1 shows covered markers in "
+                        "%2; uncover them; masks are made without it"),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "masks: a shadow that the other photographs do not show falls on the plate in %1; keep "

@@ -5279,7 +5279,7 @@
       <translation>Die Ergebnisse dieses Durchgangs sind nicht mehr da; ihn noch einmal berechnen, dann entscheiden.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs of the same name share one lens calibration.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Fotos stammen von verschiedenen Kameras (%2); jeder Kamera einen eigenen Namen geben, denn für alle mit demselben wird ein Objektiv berechnet.</translation>
     </message>

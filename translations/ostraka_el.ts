@@ -5274,7 +5274,7 @@
       <translation>Τα αποτελέσματα αυτής της παρτίδας δεν υπάρχουν πια· υπολογίστε την ξανά και μετά αποφασίστε.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs of the same name share one lens calibration.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: οι φωτογραφίες της προέρχονται από διαφορετικές κάμερες (%2)· δώστε σε κάθε κάμερα δικό της όνομα, γιατί υπολογίζεται ένας φακός για όσες έχουν το ίδιο.</translation>
     </message>

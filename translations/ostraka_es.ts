@@ -5274,7 +5274,7 @@
       <translation>Los resultados de esta tanda ya no están; calcúlela otra vez y decida después.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs of the same name share one lens calibration.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: sus fotos proceden de cámaras distintas (%2); dé a cada cámara su propio nombre, pues se calcula un solo objetivo para todas las que tienen el mismo.</translation>
     </message>

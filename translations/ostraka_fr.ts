@@ -5274,7 +5274,7 @@
       <translation>Les résultats de ce lot ne sont plus là ; recalculez-le, puis décidez.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs of the same name share one lens calibration.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : ses photos viennent d’appareils différents (%2) ; donnez à chaque appareil son propre nom, car un seul objectif est calculé pour tous ceux qui ont le même.</translation>
     </message>

@@ -5274,7 +5274,7 @@
       <translation>Այս խմբաքանակի արդյունքներն այլևս չկան. նորից հաշվարկեք այն, ապա որոշեք։</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs of the same name share one lens calibration.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. նրա լուսանկարները տարբեր տեսախցիկներից են (%2). յուրաքանչյուր տեսախցիկի տվեք իր անունը, քանի որ նույն անունն ունեցողների համար մեկ օբյեկտիվ է հաշվարկվում։</translation>
     </message>

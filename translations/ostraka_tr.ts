@@ -5226,7 +5226,7 @@
       <translation>Bu partinin sonuçları artık yok; yeniden hesaplayın, sonra karar verin.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs of the same name share one lens calibration.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: fotoğrafları farklı kameralardan geliyor (%2); her kameraya kendi adını verin, çünkü aynı adı taşıyanların hepsi için tek bir mercek hesaplanır.</translation>
     </message>

@@ -51,8 +51,8 @@ constexpr const char* kUneven =
     "); set the camera to manual, because uneven photographs make masks and colours less reliable.";
 constexpr Setting kSettings[] = {
     {body, ": its photographs come from different cameras (",
-     "); give each camera its own name, because photographs of the same name share one lens "
-     "calibration."},
+     "); give each camera its own name, because photographs with the same camera name share one "
+     "lens calibration."},
     {focalLength, ": its focal length varies between photographs (",
      "); all share one lens calibration, so fix the zoom and reshoot."},
     {aperture, ": its aperture varies between photographs (", kUneven},

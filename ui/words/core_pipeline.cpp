@@ -21,7 +21,7 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "Camera %1: its photographs come from different cameras (%2); give each camera its own "
-          "name, because photographs of the same name share one lens calibration."),
+          "name, because photographs with the same camera name share one lens calibration."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Camera %1: its focal length varies between photographs (%2); all share "
                         "one lens calibration, so fix the zoom and reshoot."),

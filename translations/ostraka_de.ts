@@ -5139,7 +5139,7 @@
 <context>
     <name>ostraka::Error</name>
     <message>
-      <source>Stopped on request.</source>
+      <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf Wunsch angehalten.</translation>
     </message>
@@ -5244,7 +5244,7 @@
       <translation>Der Datenträger ist voll; Platz schaffen und weiter aufnehmen.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and start the same command again.</source>
+      <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Datenträger ist voll; Platz schaffen und dasselbe noch einmal beginnen.</translation>
     </message>
@@ -5259,7 +5259,7 @@
       <translation>Ein anderes Programm hält den Katalog besetzt; es schließen und noch einmal versuchen.</translation>
     </message>
     <message>
-      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
     </message>
@@ -5274,37 +5274,37 @@
       <translation>Fundorte und Schnitte, die es noch nicht gab: %1; nachsehen, dass keiner ein Schreibfehler ist.</translation>
     </message>
     <message>
-      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Ergebnisse dieses Durchgangs sind nicht mehr da; ihn noch einmal berechnen, dann entscheiden.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Fotos stammen von verschiedenen Kameras (%2); jeder Kamera einen eigenen Namen geben, denn für alle mit demselben wird ein Objektiv berechnet.</translation>
     </message>
     <message>
-      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Brennweite ist nicht in allen Fotos gleich (%2); für alle wird ein Objektiv berechnet, also den Zoom festsetzen und noch einmal fotografieren.</translation>
     </message>
     <message>
-      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Blende ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
     </message>
     <message>
-      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its exposure time varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Belichtungszeit ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
     </message>
     <message>
-      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its sensitivity varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Empfindlichkeit ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
     </message>
     <message>
-      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its white balance varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihr Weißabgleich ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
     </message>
@@ -5339,7 +5339,7 @@
       <translation>Das Bild lässt sich nicht entschlüsseln.</translation>
     </message>
     <message>
-      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wurde kein Körper gefunden, in dem die Fotos übereinstimmen; die Kameras prüfen oder Masken angeben.</translation>
     </message>
@@ -5349,17 +5349,17 @@
       <translation>Jedes Foto braucht eine Lage.</translation>
     </message>
     <message>
-      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Hülle braucht mindestens 3 Fotos; das Stück von mehr Seiten aufnehmen.</translation>
     </message>
     <message>
-      <source>The cameras do not look at a common place; check their poses.</source>
+      <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kameras blicken nicht auf einen gemeinsamen Ort; ihre Lagen prüfen.</translation>
     </message>
     <message>
-      <source>The network needs a colour photograph of 8 bits.</source>
+      <source>The network needs an 8-bit colour photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Netz braucht ein Farbfoto mit 8 Bit.</translation>
     </message>
@@ -5389,7 +5389,7 @@
       <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export einlesen.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ort wählen oder die Zugriffsrechte prüfen.</translation>
     </message>
@@ -5404,12 +5404,12 @@
       <translation>Die Datei lässt sich nicht öffnen (%1); ihre Zugriffsrechte prüfen.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
+      <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine gewöhnliche Datei; eine Datei nennen.</translation>
     </message>
     <message>
-      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist größer als die %1 Bytes, die hier gelesen werden; ist es die richtige?</translation>
     </message>
@@ -5419,7 +5419,7 @@
       <translation>Die Datei lässt sich nicht lesen (%1); noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier schreibt gerade ein anderer Lauf; sein Ende abwarten oder einen anderen Ordner wählen.</translation>
     </message>
@@ -5434,12 +5434,12 @@
       <translation>Das JSON ist tiefer als 64 Ebenen verschachtelt.</translation>
     </message>
     <message>
-      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein gültiges JSON (Zeile %1); dort ausbessern oder die Datei noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The JSON holds a number that is too large; mend it.</source>
+      <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das JSON enthält eine zu große Zahl; ausbessern.</translation>
     </message>
@@ -5449,7 +5449,7 @@
       <translation>Eine Transformation muss eine 4x4-Matrix sein.</translation>
     </message>
     <message>
-      <source>A transform holds something not a number.</source>
+      <source>A transform contains a value that is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Transformation enthält etwas, das keine Zahl ist.</translation>
     </message>
@@ -5459,7 +5459,7 @@
       <translation>Eine Transformation ist nicht starr.</translation>
     </message>
     <message>
-      <source>There is no such folder; name the folder of a batch.</source>
+      <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diesen Ordner gibt es nicht; den Ordner eines Durchgangs nennen.</translation>
     </message>
@@ -5474,17 +5474,17 @@
       <translation>Die Rückseite fehlt; ihre Fotos in den Ordner '%1' legen.</translation>
     </message>
     <message>
-      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein Durchgang: Es fehlen die Ordner 'front' und 'back' (oder 'top_images' und 'bottom_images'); den Ordner eines Durchgangs nennen.</translation>
     </message>
     <message>
-      <source>The name is not of the form %1; this photograph is left out.</source>
+      <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Name hat nicht die Form %1; dieses Foto wird ausgelassen.</translation>
     </message>
     <message>
-      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderes Foto hat dieselbe Kamera und dieselbe Position; dieses wird ausgelassen.</translation>
     </message>
@@ -5494,17 +5494,17 @@
       <translation>Dieses Foto wird ausgelassen.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier fehlen Fotos: %1 und %2 weitere; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier fehlen Fotos: %1; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
     </message>
     <message>
-      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Name ist der eines Fotos aus einem Aufbau, die meisten anderen sind es nicht; dieses Foto wird ausgelassen.</translation>
     </message>
@@ -5514,47 +5514,47 @@
       <translation>Ein anderes Foto hat denselben Namen; dieses wird ausgelassen.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos mit weniger als %1 Megapixeln werden ausgelassen (%2 und %3 weitere); statt der Vorschaubilder die Originale von der Kamera kopieren.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos mit weniger als %1 Megapixeln werden ausgelassen (%2); statt der Vorschaubilder die Originale von der Kamera kopieren.</translation>
     </message>
     <message>
-      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More would take longer and add little.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Fotos werden verwendet: die schärfsten, über die Reihe verteilt. Mehr dauern länger und bringen wenig.</translation>
     </message>
     <message>
-      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In diesem Ordner sind keine Fotos; die Fotos einer Seite dorthin legen.</translation>
     </message>
     <message>
-      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In diesem Ordner sind weder Fotos noch die Ordner „front“ und „back“ eines Durchgangs; einen Ordner mit Fotos nennen.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with the photographs of a side.</source>
+      <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diesen Ordner gibt es nicht; einen mit den Fotos einer Seite nennen.</translation>
     </message>
     <message>
-      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner wurde für Vorder- und Rückseite genannt; den Ordner jeder Seite nennen.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Vorderseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; ringsum mehr aufnehmen.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Rückseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; ringsum mehr aufnehmen.</translation>
     </message>
@@ -5564,7 +5564,7 @@
       <translation>Das HEIC-Bild ist beschädigt; noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das RAW-Bild ist beschädigt oder von einer unbekannten Kamera; noch einmal kopieren oder als TIFF exportieren.</translation>
     </message>
@@ -5579,12 +5579,12 @@
       <translation>In diesen %2 Fotos wird kein Bogen mit mindestens %1 Markern aus OpenCVs Wörterbüchern gelesen; Fotos aufnehmen, die mehr davon zeigen, oder seine plate.json nennen.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 mit Seiten von %3 mm wurden in den Fotos gefunden (%4 px) und dafür genommen. Den Abstand zweier weit auseinanderliegender Marker messen und mit plate.json im Ergebnisordner vergleichen.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 wurden in den Fotos gefunden (%3 px), ihre Größe ist nicht bekannt, daher hat das Ergebnis keinen Maßstab. Die Seite des schwarzen Quadrats eines Markers messen und mit --marker-mm angeben.</translation>
     </message>
@@ -5594,27 +5594,27 @@
       <translation>Diese Maske wird nicht verwendet.</translation>
     </message>
     <message>
-      <source>The mask's size is not its photograph's; it is not used.</source>
+      <source>The mask and its photograph differ in size; the mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Maske hat eine andere Größe als ihr Foto; sie wird nicht verwendet.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild hat %1 x %2 Pixel, die übrigen dieser Kamera haben %3 x %4; dieses Foto wird ausgelassen.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Vorderseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; Fotos mit Namen wie %3 dorthin legen.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Rückseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; Fotos mit Namen wie %3 dorthin legen.</translation>
     </message>
     <message>
-      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Name ist weder cam&lt;C&gt;_cal&lt;NN&gt;.jpg noch empty_cam&lt;C&gt;.jpg; dieses Bild wird ausgelassen.</translation>
     </message>
@@ -5624,12 +5624,12 @@
       <translation>Dieses Bild wird ausgelassen.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <source>The image has %1 x %2 pixels, but the photographs from its camera have %3 x %4; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild hat %1 x %2 Pixel, die Fotos seiner Kamera haben %3 x %4; dieses Bild wird ausgelassen.</translation>
     </message>
     <message>
-      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <source>The image header states a size of %1 x %2 pixels, which cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild nennt eine Größe von %1 x %2 Pixeln, die sich nicht verwenden lässt.</translation>
     </message>
@@ -5639,7 +5639,7 @@
       <translation>Das JPEG-Bild ist beschädigt; noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The JPEG image has no picture in it.</source>
+      <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das JPEG-Bild enthält kein Bild.</translation>
     </message>
@@ -5649,7 +5649,7 @@
       <translation>Das PNG-Bild ist beschädigt; noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The TIFF image has no size in it.</source>
+      <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Im TIFF-Bild steht keine Größe.</translation>
     </message>
@@ -5659,7 +5659,7 @@
       <translation>Die Datei ist leer; noch einmal von der Kamera kopieren.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
+      <source>Not a JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein Bild in JPEG, PNG, TIFF, HEIC oder RAW.</translation>
     </message>
@@ -5679,7 +5679,7 @@
       <translation>'ends' müssen zwei Listen von Markierungen sein</translation>
     </message>
     <message>
-      <source>each end must be marked on two photographs at least</source>
+      <source>each end must be marked on at least two photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>jedes Ende muss auf mindestens zwei Fotos markiert sein</translation>
     </message>
@@ -5704,22 +5704,22 @@
       <translation>Das Bild lässt sich nicht entschlüsseln; noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Einheit der Platte muss mm sein; die Datei der Platte neu erzeugen.</translation>
     </message>
     <message>
-      <source>The plate names more than 1024 markers.</source>
+      <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Platte nennt mehr als 1024 Marken.</translation>
     </message>
     <message>
-      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Platte braucht 'dictionary' und 'markers' mit einer id und vier Ecken zu je drei Zahlen; 'diameter' ist, wenn angegeben, eine Zahl in mm.</translation>
     </message>
     <message>
-      <source>The plate names no marker.</source>
+      <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Platte nennt keine Marke.</translation>
     </message>
@@ -5729,7 +5729,7 @@
       <translation>Marke %1 der Platte hat keine gültigen Ecken.</translation>
     </message>
     <message>
-      <source>Marker %1 stands twice on the plate.</source>
+      <source>Marker %1 occurs twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marke %1 steht zweimal auf der Platte.</translation>
     </message>
@@ -6994,32 +6994,32 @@
       <translation>Das Netz hat keine Flächen zum Schreiben.</translation>
     </message>
     <message>
-      <source>A face of the mesh names a vertex that is not there.</source>
+      <source>A face of the mesh refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Fläche des Netzes nennt einen Punkt, den es nicht gibt.</translation>
     </message>
     <message>
-      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine PLY-Datei; eine nennen oder den Scan neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY header names no format; export it again.</source>
+      <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der PLY-Kopf nennt kein Format; neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der PLY-Kopf ist in Zeile %1 falsch: %2; neu ausgeben.</translation>
     </message>
     <message>
-      <source>its format is not known</source>
+      <source>its format is unknown</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sein Format ist unbekannt</translation>
     </message>
     <message>
-      <source>a count is no number</source>
+      <source>a count is not a number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>eine Anzahl ist keine Zahl</translation>
     </message>
@@ -7034,22 +7034,22 @@
       <translation>eine Eigenschaft hat einen unbekannten Typ</translation>
     </message>
     <message>
-      <source>a list has no whole number as its length</source>
+      <source>the length of a list is not a whole number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Länge einer Liste ist keine ganze Zahl</translation>
     </message>
     <message>
-      <source>a line cannot be understood</source>
+      <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>eine Zeile ist unverständlich</translation>
     </message>
     <message>
-      <source>The PLY header has no end; export it again.</source>
+      <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der PLY-Kopf hat kein Ende; neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der PLY-Kopf nennt %1 '%2', mehr als die Datei enthält; sie ist wohl abgeschnitten.</translation>
     </message>
@@ -7059,17 +7059,17 @@
       <translation>Die PLY-Datei hat zwei Punktlisten; neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den PLY-Punkten fehlt x, y oder z; neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die PLY-Datei endet zu früh oder enthält etwas, das keine Zahl ist; neu ausgeben.</translation>
     </message>
     <message>
-      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Fläche der PLY-Datei nennt einen Punkt, den es nicht gibt; neu ausgeben.</translation>
     </message>
@@ -7089,37 +7089,37 @@
       <translation>Die PLY-Datei hat keine Punkte; den Scan neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY file holds more than its header claims; export it again.</source>
+      <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die PLY-Datei enthält mehr, als ihr Kopf nennt; neu ausgeben.</translation>
     </message>
     <message>
-      <source>The PLY file holds no usable point; export the scan again.</source>
+      <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die PLY-Datei enthält keinen brauchbaren Punkt; den Scan neu ausgeben.</translation>
     </message>
     <message>
-      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kein Abschnitt der Kante kann ein Stück Rand sein; diese Scherbe als eine ohne Rand zeichnen.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); daher wird kein Durchmesser angegeben. Bitte prüfen, wie die Scherbe steht.</translation>
     </message>
     <message>
-      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Randstück ist für einen Durchmesser zu kurz oder zu gerade; bitte prüfen, wie die Scherbe steht.</translation>
     </message>
     <message>
-      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Als Rand gezeichnet, was wahrscheinlich ist (%1 %); nachprüfen.</translation>
     </message>
     <message>
-      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kann ein Rand sein (%1 %); wenn es einer ist, das angeben und neu zeichnen.</translation>
     </message>
@@ -7129,12 +7129,12 @@
       <translation>Der Maßstab der Zeichnung muss zwischen 1:20 und 5:1 liegen.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model (%1); create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Zeichnung braucht ein geschlossenes Modell (%1); es mit 'ostraka process' erzeugen.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model; create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Zeichnung braucht ein geschlossenes Modell; es mit 'ostraka process' erzeugen.</translation>
     </message>
@@ -7434,37 +7434,37 @@
       <translation>Die Maske hat %1 x %2 Pixel; erwartet wird eine Maske von %3 x %4 Pixeln, so groß wie ihr Foto.</translation>
     </message>
     <message>
-      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken von der Platte brauchen mindestens 3 Fotos einer Seite; mehr Positionen aufnehmen.</translation>
     </message>
     <message>
-      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Foto hat nicht die Größe seiner Kamera; die Originaldatei verwenden.</translation>
     </message>
     <message>
-      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf der Platte wurde keine Scherbe gefunden; prüfen, ob die Fotos Scherben zeigen, die sich von der Platte abheben, oder Masken angeben.</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken: Die leere Platte von Kamera %1 hat eine andere Größe als die Fotos der Kamera; ohne sie maskiert</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken: Die leere Platte von Kamera %1 zeigt die Platte an keiner der Positionen; bei der ersten noch einmal aufnehmen; ohne sie maskiert</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken: Die leere Platte von Kamera %1 zeigt Marken, die in %2 von etwas verdeckt sind; wegnehmen, was auf ihnen liegt; ohne sie maskiert</translation>
     </message>
     <message>
-      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken: Ein Schatten, den die anderen Fotos nicht haben, liegt auf der Platte in %1; Menschen und Hände aus dem Licht halten und diese Fotos wiederholen, wenn ihre Masken falsch aussehen</translation>
     </message>
@@ -7474,47 +7474,47 @@
       <translation>%1 (%2 % der freien Platte)</translation>
     </message>
     <message>
-      <source>The front scan holds no points.</source>
+      <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan der Vorderseite enthält keine Punkte.</translation>
     </message>
     <message>
-      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan der Vorderseite hat keine Normalen; ein Modell muss wissen, was außen ist.</translation>
     </message>
     <message>
-      <source>The back scan holds no points.</source>
+      <source>The back scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan der Rückseite enthält keine Punkte.</translation>
     </message>
     <message>
-      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan der Rückseite hat keine Normalen; ein Modell muss wissen, was außen ist.</translation>
     </message>
     <message>
-      <source>The scans enclose no body; their normals may point inward.</source>
+      <source>The scans do not enclose a volume; their normals may point inward.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Scans umschließen keinen Körper; vielleicht zeigen ihre Normalen nach innen.</translation>
     </message>
     <message>
-      <source>Only a closed mesh can be thinned out.</source>
+      <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur ein geschlossenes Netz lässt sich ausdünnen.</translation>
     </message>
     <message>
-      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Abweichung eines ausgedünnten Netzes muss über 0 mm liegen.</translation>
     </message>
     <message>
-      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan ist für ein Modell mit diesem Punktabstand zu groß; einen größeren angeben.</translation>
     </message>
     <message>
-      <source>The scans hold too few points that agree with each other for a model.</source>
+      <source>The scans contain too few points that agree with each other for a model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Scans haben zu wenige Punkte, die miteinander übereinstimmen, für ein Modell.</translation>
     </message>
@@ -7534,7 +7534,7 @@
       <translation>Ecke %1 gehört zu keiner Fläche.</translation>
     </message>
     <message>
-      <source>Vertex %1 holds two fans of faces together.</source>
+      <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ecke %1 hält zwei Fächer von Flächen zusammen.</translation>
     </message>
@@ -7544,7 +7544,7 @@
       <translation>Das Netz hat keine Flächen.</translation>
     </message>
     <message>
-      <source>A face names a vertex that is not there.</source>
+      <source>A face refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Fläche nennt eine Ecke, die es nicht gibt.</translation>
     </message>
@@ -7554,7 +7554,7 @@
       <translation>Eine Fläche hat dieselbe Ecke zweimal.</translation>
     </message>
     <message>
-      <source>The scan's outline does not close.</source>
+      <source>The scan&apos;s outline is not closed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Umriss des Scans schließt sich nicht.</translation>
     </message>
@@ -7569,7 +7569,7 @@
       <translation>Ein Umriss braucht mindestens drei Punkte.</translation>
     </message>
     <message>
-      <source>The evidence of a pair has no valid scans or figure.</source>
+      <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Angaben zu einem Paar nennen keine gültigen Scans oder keine gültige Zahl.</translation>
     </message>
@@ -7579,37 +7579,37 @@
       <translation>Zuordnung: %1 bleibt ohne Partner: %2</translation>
     </message>
     <message>
-      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <source>No two outlines match, so the sizes of the two sides cannot be compared; provide a known length.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine zwei Umrisse gleichen sich, also lassen sich die Größen der Seiten nicht vergleichen; eine bekannte Länge angeben.</translation>
     </message>
     <message>
-      <source>A candidate names a scan that is not there.</source>
+      <source>A candidate refers to a scan that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Kandidat nennt einen Scan, den es nicht gibt.</translation>
     </message>
     <message>
-      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Tabelle von Kandidaten; den Durchgang noch einmal berechnen, nur seine Paare werden neu gemacht.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entscheidung %1 von %2 betrifft %3, dessen Seite seither neu aufgenommen wurde; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entscheidung %1 von %2 betrifft %3, das nicht mehr auf der Platte liegt; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entscheidung %1 von %2 gilt nicht: Entscheidung %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
     </message>
     <message>
-      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Entscheidung ist von einer Art, die dieses Programm nicht kennt; ein neueres hat sie geschrieben.</translation>
     </message>
@@ -7619,27 +7619,27 @@
       <translation>Ein Paar braucht eine Vorderseite und eine Rückseite.</translation>
     </message>
     <message>
-      <source>Nothing was named to be set aside or shot again.</source>
+      <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wurde nichts genannt, das beiseitegelegt oder neu aufgenommen werden soll.</translation>
     </message>
     <message>
-      <source>Pieces to be joined must be of one side.</source>
+      <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Stücke, die verbunden werden, müssen von derselben Seite sein.</translation>
     </message>
     <message>
-      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Schnitt braucht ein Stück und eine Linie von mindestens einem Millimeter.</translation>
     </message>
     <message>
-      <source>Nothing was named to be withdrawn.</source>
+      <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wurde nichts genannt, das zurückgenommen werden soll.</translation>
     </message>
     <message>
-      <source>These decisions were written by a newer program; use that one.</source>
+      <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Entscheidungen wurden von einem neueren Programm geschrieben; jenes benutzen.</translation>
     </message>
@@ -7649,17 +7649,17 @@
       <translation>Entscheidung %1 ist nicht verwendbar.</translation>
     </message>
     <message>
-      <source>Mend it, or put a copy of the file back.</source>
+      <source>Correct it, or restore a copy of the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie berichtigen oder eine Kopie der Datei zurücklegen.</translation>
     </message>
     <message>
-      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das sind keine Entscheidungen dieses Programms; die Datei wegräumen oder eine Kopie von ihr zurücklegen.</translation>
     </message>
     <message>
-      <source>This decision does not hold any more.</source>
+      <source>This decision is no longer in effect.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Entscheidung gilt nicht mehr.</translation>
     </message>
@@ -7669,167 +7669,167 @@
       <translation>Von dieser Seite gibt es kein Foto.</translation>
     </message>
     <message>
-      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <source>The outlines of these two sides cannot be overlaid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Umrisse dieser beiden Seiten lassen sich nicht übereinanderlegen.</translation>
     </message>
     <message>
-      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 können zwei Scherben sein, die sich berühren, %2 und %3 der anderen Seite: in der Prüfung zerteilen, oder auseinanderlegen und diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Liste von Strichen auf Masken; eine frühere zurücklegen oder sie entfernen.</translation>
     </message>
     <message>
-      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Von diesem Durchgang gibt es noch keine Masken; ihn erst berechnen lassen.</translation>
     </message>
     <message>
-      <source>This file does not say how well the rig fitted.</source>
+      <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei sagt nicht, wie gut der Messplatz passte.</translation>
     </message>
     <message>
-      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Kalibrierung ist von anderen Kameras als denen, mit denen der Durchgang aufgenommen wurde; den Messplatz nach seinen eigenen Fotos kalibrieren.</translation>
     </message>
     <message>
-      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ohne plate.json lassen sich die Masken nicht finden; Masken neben die Fotos legen oder ein Netz nennen (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und was in mm angegeben ist, beruht auf einer geschätzten Pixelgröße; auf einer Platte mit Marken aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
     </message>
     <message>
-      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner enthält etwas, das nicht von diesem Programm ist; einen anderen oder einen leeren wählen.</translation>
     </message>
     <message>
-      <source>The output folder holds another batch; choose another folder.</source>
+      <source>The output folder contains another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner enthält einen anderen Durchgang; einen anderen Ordner wählen.</translation>
     </message>
     <message>
-      <source>The output folder holds something else; name a new or empty folder.</source>
+      <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner enthält etwas anderes; einen neuen oder leeren Ordner nennen.</translation>
     </message>
     <message>
-      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Paar nennt einen Scan, den es nicht gibt; diese Datei löschen und noch einmal beginnen.</translation>
     </message>
     <message>
-      <source>This is no table of pairs; delete it and start again.</source>
+      <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Tabelle von Paaren; sie löschen und noch einmal beginnen.</translation>
     </message>
     <message>
-      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 und %2 wurden von Hand gepaart, aber nichts sagt, wie sie zueinander liegen; die Rückseite in der Prüfung von Hand drehen: %3</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Das Foto ist unscharf: Seine Kanten sind %2 Pixel breit, die des schärfsten dieser Kamera %3; es wird ausgelassen, noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Das Foto ist unscharf: Seine Kanten sind %2 Pixel breit, die des schärfsten dieser Kamera %3; noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Vorderseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
     <message>
-      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alle Fotos der Rückseite sind unscharf: Selbst im schärfsten sind die Kanten der Marker %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu fotografieren.</translation>
     </message>
     <message>
-      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alle Fotos der Vorderseite sind unscharf: Selbst im schärfsten sind die Kanten der Marker %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu fotografieren.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entscheidung %1 von %2 verbindet Stücke, die es nicht mehr gibt; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entscheidung %1 von %2 zerteilt ein Stück, das es nicht gibt, oder schneidet daneben; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Programm %1 ist nicht installiert, und die gewählte Stereoberechnung braucht es; es installieren oder die eingebaute nehmen.</translation>
     </message>
     <message>
-      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Fotos zeigen keine Platte mit Marken, also muss das Programm %1 die Kameras finden, und es ist nicht installiert.</translation>
     </message>
     <message>
-      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das braucht etwa %1 GB Speicher, und nur %2 GB sind frei: Der Rechner kann es abbrechen oder sehr langsam werden.</translation>
     </message>
     <message>
-      <source>Close other programs, or compute a draft.</source>
+      <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Andere Programme schließen oder einen Entwurf berechnen.</translation>
     </message>
     <message>
-      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: nicht von dort aufgenommen, wo die Kamera stand, während sich die Platte drehte; das Foto wird ausgelassen.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner liegt im Ordner des Durchgangs, in den nie etwas geschrieben wird; einen daneben wählen.</translation>
     </message>
     <message>
-      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos lassen sich nicht auf weniger als 0,3 Megapixel verkleinern.</translation>
     </message>
@@ -7839,22 +7839,22 @@
       <translation>Ein solches Netz zum Freistellen gibt es nicht; Masken sind 'auto', 'given' oder eine ONNX-Datei.</translation>
     </message>
     <message>
-      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Vorderseiten sind nicht in mm: Längen des Ergebnisses, die mm heißen, sind in der Einheit der Vorderseiten.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Paare dieses Durchgangs sind noch nicht berechnet oder stammen von einem älteren Programm; den Durchgang noch einmal berechnen: was fertig ist, bleibt.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu klein; das Lineal auf der Platte messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder die Platte noch einmal mit 100 % drucken; wenn die Platte stimmt, die Länge messen und ihre Marken neu setzen.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too large; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu groß; das Lineal auf der Platte messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder die Platte noch einmal mit 100 % drucken; wenn die Platte stimmt, die Länge messen und ihre Marken neu setzen.</translation>
     </message>
@@ -7864,7 +7864,7 @@
       <translation>die auf der Vorderseite markierte Länge von %1 mm misst in den Fotos %2 ± %3 mm (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Länge von %1 mm in scale.json ließ sich nicht vergleichen: jedes ihrer Enden auf mindestens zwei Fotos der Vorderseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
     </message>
@@ -7874,17 +7874,17 @@
       <translation>die auf der Rückseite markierte Länge von %1 mm misst in den Fotos %2 ± %3 mm (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Länge von %1 mm in scale.json ließ sich nicht vergleichen: jedes ihrer Enden auf mindestens zwei Fotos der Rückseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
     </message>
     <message>
-      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner lässt sich nicht lesen; einen Ordner mit PLY-Dateien nennen.</translation>
     </message>
     <message>
-      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In diesem Ordner ist keine PLY-Datei; der Scan jeder Scherbe muss eine PLY-Datei sein.</translation>
     </message>
@@ -7909,7 +7909,7 @@
       <translation>%1: %2 Punkte weit weg von allen anderen oder bei 0, 0, 0 wurden ausgelassen; den Export prüfen.</translation>
     </message>
     <message>
-      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <source>The scan has fewer than 100 points; rescan this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan hat weniger als 100 Punkte; diese Seite noch einmal scannen.</translation>
     </message>
@@ -7919,7 +7919,7 @@
       <translation>Der Scan hat keine Normalen; ihn mit nx, ny und nz exportieren.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan liegt das %1-Fache seiner Länge von 0, 0, 0 entfernt, also sind seine Koordinaten gerundet; ihn dorthin verschieben und noch einmal exportieren.</translation>
     </message>
@@ -7929,17 +7929,17 @@
       <translation>Keiner der Scans ist verwendbar: %1</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <source>The median length of these scans is %1 mm; their unit seems to be %2: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Scans sind im Median %1 mm lang; das sieht nach %2 aus: %3.</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <source>The median length of these scans is %1 mm; no sherds are of that size: %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Scans sind im Median %1 mm lang; so große Scherben gibt es nicht: %2.</translation>
     </message>
     <message>
-      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <source>The median length of the fronts is %1 mm, of the backs %2 mm, so their units differ: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Vorderseiten sind im Median %1 mm lang, die Rückseiten %2 mm, also sind ihre Einheiten verschieden: %3.</translation>
     </message>
@@ -7974,22 +7974,22 @@
       <translation>Scherbe %1 hat kein Modell: %2</translation>
     </message>
     <message>
-      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1: %2 % der Oberfläche hat keine Kamera gesehen; sie sind ergänzt, im Bild orange. Wenn es darauf ankommt, die Scherbe noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1: Durch ihr Modell geht ein Loch (%2 mm²). Wenn die Scherbe keines hat, zeigen die Aufnahmen diese Stelle nicht; sie noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie nennt %1, das nicht in dem Durchgang ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>
     </message>
     <message>
-      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <source>This photograph has no mask; provide one for each photograph to be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Foto hat keine Maske; für jedes, das verwendet werden soll, eine angeben.</translation>
     </message>
@@ -7999,12 +7999,12 @@
       <translation>Dieses Foto wird nicht verwendet.</translation>
     </message>
     <message>
-      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Für %1 Fotos der Vorderseite fand COLMAP keine Lage; sie werden ausgelassen.</translation>
     </message>
     <message>
-      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Für %1 Fotos der Rückseite fand COLMAP keine Lage; sie werden ausgelassen.</translation>
     </message>
@@ -8014,32 +8014,32 @@
       <translation>Der Messplatz wurde nicht verwendet: Ohne plate.json bestimmt COLMAP die Lage der Kameras.</translation>
     </message>
     <message>
-      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Auf diesem Foto ist keine Scherbe markiert; es wird ausgelassen.</translation>
     </message>
     <message>
-      <source>If sherds are on it, take it again or mend its mask.</source>
+      <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wenn Scherben darauf sind, es noch einmal aufnehmen oder seine Maske ausbessern.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf %1 Fotos der Vorderseite sind Scherben markiert; 3 sind nötig.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf %1 Fotos der Rückseite sind Scherben markiert; 3 sind nötig.</translation>
     </message>
     <message>
-      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Masken ansehen, und ob Scherben auf der Platte lagen.</translation>
     </message>
     <message>
-      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weniger als 10 Punkte der Bruchkanten treffen sich; von einer besseren Lage aus beginnen.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Der Scan hat keine Normalen; ihn mit Normalen exportieren.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
+      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weniger als 50 Punkte liegen auf der Bruchkante; die Scherbe mit ihrem Rand noch einmal scannen.</translation>
     </message>
@@ -8649,22 +8649,22 @@
       <translation>%1 endete mit einem Fehler; seine Meldungen stehen in dieser Datei.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Krümel von %1 mm bei x %2, y %3 mm blieb beiseite; wenn es eine Scherbe ist, sie allein aufnehmen.</translation>
     </message>
     <message>
-      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Etwas Flaches bei x %1, y %2 mm blieb beiseite; es kann eine Marke oder Schmutz auf der Platte sein.</translation>
     </message>
     <message>
-      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Scherben berühren sich bei x %1, y %2 mm und wurden dort getrennt; zwischen Scherben einen Finger breit Abstand lassen.</translation>
     </message>
     <message>
-      <source>The cloud of the plate has no normals.</source>
+      <source>The plate&apos;s point cloud has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Punktwolke der Platte hat keine Normalen.</translation>
     </message>
@@ -8679,42 +8679,42 @@
       <translation>Auf der Rückseite wurde keine Scherbe gefunden; ihre Masken und Fotos prüfen.</translation>
     </message>
     <message>
-      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses colmap wurde ohne CUDA gebaut, das seine Stereoberechnung braucht; eines mit CUDA installieren oder --dense builtin nehmen, das nichts weiter braucht.</translation>
     </message>
     <message>
-      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Masken der Ansichten haben keinen gemeinsamen Gegenstand; Masken, Kameras und Grenzen prüfen.</translation>
     </message>
     <message>
-      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>InterfaceCOLMAP hinterließ keine Szene; seine Meldungen stehen in dieser Datei.</translation>
     </message>
     <message>
-      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Für die Tiefe sind mindestens 3 Fotos mit bekannten Kameras nötig.</translation>
     </message>
     <message>
-      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Foto oder seine Maske hat eine andere Größe, als seine Kamera angibt; das Foto nehmen, mit dem die Kamera kalibriert wurde.</translation>
     </message>
     <message>
-      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Foto hat eine andere Größe, als seine Kamera angibt; das Foto nehmen, mit dem die Kamera kalibriert wurde.</translation>
     </message>
     <message>
-      <source>The mask has another size than its photograph.</source>
+      <source>The mask and its photograph differ in size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Maske hat eine andere Größe als ihr Foto.</translation>
     </message>
     <message>
-      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 fand keine Punkte des Gegenstands; seine Meldungen stehen in dieser Datei, und --dense builtin braucht kein anderes Programm.</translation>
     </message>
@@ -8724,12 +8724,12 @@
       <translation>%1 schrieb Punkte ohne Normalen; eine neuere Version installieren oder --dense builtin nehmen.</translation>
     </message>
     <message>
-      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Programm %1 ist nicht im PATH, aber --dense %2 braucht es; es installieren oder --dense builtin nehmen, das nichts weiter braucht.</translation>
     </message>
     <message>
-      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wurde kein Punkt der Oberfläche gefunden, in dem zwei Ansichten übereinstimmen; Kameras und Masken prüfen.</translation>
     </message>
@@ -8739,7 +8739,7 @@
       <translation>Das Bild ließ sich nicht kodieren.</translation>
     </message>
     <message>
-      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die %1 Scherben passen nicht auf die Platte; weniger verlangen oder einen anderen Startwert nehmen.</translation>
     </message>
@@ -8759,7 +8759,7 @@
       <translation>Gleich aussehende Scherben sind Paare: höchstens halb so viele wie Scherben.</translation>
     </message>
     <message>
-      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Messplatz braucht eine Kamera und mindestens vier Positionen; ihn neu kalibrieren.</translation>
     </message>
@@ -8799,7 +8799,7 @@
       <translation>%1 ist ungültig und wurde weggelassen.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); bitte prüfen, wie die Scherbe steht.</translation>
     </message>
@@ -8814,12 +8814,12 @@
       <translation>Ø %1 cm (95 %: %2 bis %3)</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept</source>
+      <source>%1 % of the rim preserved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 % des Randes erhalten</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept (%2 to %3)</source>
+      <source>%1 % of the rim preserved (%2 to %3)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 % des Randes erhalten (%2 bis %3)</translation>
     </message>
@@ -8849,7 +8849,7 @@
       <translation>Einen Beutel %1 gibt es im Befund %2 noch nicht; ihn bei der Aufnahme eintippen oder eine Tabelle der Befunde mit ihm importieren.</translation>
     </message>
     <message>
-      <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
+      <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was für die Lippe gehalten wurde, kann ein Bruch sein (%1 %, dass es die Lippe ist) und der Durchmesser falsch; bitte prüfen, wie die Scherbe steht.</translation>
     </message>
@@ -8874,7 +8874,7 @@
       <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
     </message>
     <message>
-      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchgang ist nicht zu Ende gerechnet; lassen Sie die Warteschlange ihn rechnen, dann können seine Paare angesehen werden.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Die Nummer %1 wurde für eine Scherbe von %2 getippt; diese ist noch nicht berechnet.</translation>
     </message>
     <message>
-      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder es entfernen.</translation>
     </message>
@@ -8904,77 +8904,77 @@
       <translation>Nach dem Zeichen = steht eine Nummer.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
+      <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Ordner, keine Datei; eine Datei nennen.</translation>
     </message>
     <message>
-      <source>This is a pipe, not a file; name a file.</source>
+      <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist eine Pipe, keine Datei; eine Datei nennen.</translation>
     </message>
     <message>
-      <source>This is a socket, not a file; name a file.</source>
+      <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Socket, keine Datei; eine Datei nennen.</translation>
     </message>
     <message>
-      <source>This is a device, not a file; name a file.</source>
+      <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Gerät, keine Datei; eine Datei nennen.</translation>
     </message>
     <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Link liegt dort, wo die Sperre dieses Ordners hingehört; ihn löschen.</translation>
     </message>
     <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier lässt sich kein temporärer Ordner anlegen (%1); Platz schaffen oder TMPDIR auf einen anderen Ordner setzen.</translation>
     </message>
     <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das JSON nennt „%1“ zweimal in einem Objekt; eines von beiden löschen.</translation>
     </message>
     <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ muss eine ganze Zahl von %2 bis %3 sein; sie berichtigen.</translation>
     </message>
     <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ muss eine Zahl von %2 bis %3 sein; sie berichtigen.</translation>
     </message>
     <message>
-      <source>'%1' must be a number; mend it.</source>
+      <source>&apos;%1&apos; must be a number; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ muss eine Zahl sein; sie berichtigen.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marke %1 der Platte ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei der Platte neu drucken.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marke %1 der Platte ist nicht konvex; ihre Ecken der Reihe nach am Rand entlang nennen.</translation>
     </message>
     <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Marken %1 und %2 der Platte überlappen sich; die Datei der Platte neu drucken.</translation>
     </message>
     <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Marken der Tafel müssen kleiner als ihre Felder sein; „marker_mm“ oder „square_mm“ berichtigen.</translation>
     </message>
     <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Fläche der PLY-Datei hat mehr als %1 Ecken; sie als Dreiecke neu exportieren.</translation>
     </message>
@@ -8984,12 +8984,12 @@
       <translation>Die PLY-Datei hat mehr als %1 von „%2“; sie mit weniger exportieren.</translation>
     </message>
     <message>
-      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wo ein Ordner hingehört, steht eine Verknüpfung oder eine Datei, oder eine Verknüpfung, wo eine Datei hingehört; die Dateien selbst dorthin legen.</translation>
     </message>
     <message>
-      <source>There is a file of this name already; it is not overwritten.</source>
+      <source>A file of this name already exists; it is not overwritten.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt schon eine Datei dieses Namens; sie wird nicht überschrieben.</translation>
     </message>
@@ -9004,32 +9004,32 @@
       <translation>Das Archiv enthält ein Journal seines Katalogs, was kein Archiv von Ostraka tut; nichts wurde geschrieben.</translation>
     </message>
     <message>
-      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner ist weg: Er wurde verschoben oder gelöscht, während das Programm hineinschrieb. Die Fotos sind unberührt; denselben Befehl noch einmal starten.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one.</source>
+      <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner enthält schon Dateien; einen neuen oder leeren nennen.</translation>
     </message>
     <message>
-      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner ist ein eigener Datenträger oder der, in dem man sich befindet; einen neuen Ordner darin nennen.</translation>
     </message>
     <message>
-      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner wird für unfertige Dateien gebraucht, enthält aber andere; ihn woandershin verschieben.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Stück von %1 % der Länge der üblichen Scherbe wurde auf der Vorderseite weggelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Stück von %1 % der Länge der üblichen Scherbe wurde auf der Rückseite weggelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
     </message>

@@ -5134,7 +5134,7 @@
 <context>
     <name>ostraka::Error</name>
     <message>
-      <source>Stopped on request.</source>
+      <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακόπηκε κατόπιν αιτήματος.</translation>
     </message>
@@ -5239,7 +5239,7 @@
       <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και συνεχίστε τη λήψη.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and start the same command again.</source>
+      <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και ξεκινήστε ξανά το ίδιο.</translation>
     </message>
@@ -5254,7 +5254,7 @@
       <translation>Ένα άλλο πρόγραμμα κρατά απασχολημένο τον κατάλογο· κλείστε το και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
     </message>
@@ -5269,37 +5269,37 @@
       <translation>Θέσεις και τομές που δεν υπήρχαν: %1· ελέγξτε ότι καμία δεν είναι λάθος γραφής.</translation>
     </message>
     <message>
-      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα αποτελέσματα αυτής της παρτίδας δεν υπάρχουν πια· υπολογίστε την ξανά και μετά αποφασίστε.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: οι φωτογραφίες της προέρχονται από διαφορετικές κάμερες (%2)· δώστε σε κάθε κάμερα δικό της όνομα, γιατί υπολογίζεται ένας φακός για όσες έχουν το ίδιο.</translation>
     </message>
     <message>
-      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η εστιακή της απόσταση δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· υπολογίζεται ένας φακός για όλες, οπότε σταθεροποιήστε το ζουμ και φωτογραφίστε ξανά.</translation>
     </message>
     <message>
-      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: το διάφραγμά της δεν είναι ίδιο σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
     </message>
     <message>
-      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its exposure time varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: ο χρόνος έκθεσής της δεν είναι ίδιος σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
     </message>
     <message>
-      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its sensitivity varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η ευαισθησία της δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
     </message>
     <message>
-      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its white balance varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η ισορροπία λευκού της δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
     </message>
@@ -5334,7 +5334,7 @@
       <translation>Η εικόνα δεν αποκωδικοποιείται.</translation>
     </message>
     <message>
-      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε σώμα στο οποίο συμφωνούν οι φωτογραφίες· ελέγξτε τις κάμερες ή δώστε μάσκες.</translation>
     </message>
@@ -5344,17 +5344,17 @@
       <translation>Κάθε φωτογραφία χρειάζεται μία θέση.</translation>
     </message>
     <message>
-      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα περίβλημα χρειάζεται τουλάχιστον 3 φωτογραφίες· φωτογραφίστε το κομμάτι από περισσότερες πλευρές.</translation>
     </message>
     <message>
-      <source>The cameras do not look at a common place; check their poses.</source>
+      <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι κάμερες δεν κοιτούν σε κοινό σημείο· ελέγξτε τις θέσεις τους.</translation>
     </message>
     <message>
-      <source>The network needs a colour photograph of 8 bits.</source>
+      <source>The network needs an 8-bit colour photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το δίκτυο χρειάζεται έγχρωμη φωτογραφία των 8 bit.</translation>
     </message>
@@ -5384,7 +5384,7 @@
       <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· διαβάστε το ως εξαγωγή.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν γίνεται εγγραφή εδώ (%1)· επιλέξτε άλλη θέση ή ελέγξτε τα δικαιώματά της.</translation>
     </message>
@@ -5399,12 +5399,12 @@
       <translation>Το αρχείο δεν ανοίγει (%1)· ελέγξτε τα δικαιώματά του.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
+      <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι κανονικό αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
-      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο είναι μεγαλύτερο από τα %1 byte που διαβάζονται εδώ· είναι το σωστό;</translation>
     </message>
@@ -5414,7 +5414,7 @@
       <translation>Το αρχείο δεν διαβάζεται (%1)· αντιγράψτε το ξανά.</translation>
     </message>
     <message>
-      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια άλλη εκτέλεση γράφει εδώ· περιμένετε να τελειώσει ή επιλέξτε άλλον φάκελο.</translation>
     </message>
@@ -5429,12 +5429,12 @@
       <translation>Το JSON έχει πάνω από 64 επίπεδα εμφώλευσης.</translation>
     </message>
     <message>
-      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι έγκυρο JSON (γραμμή %1)· διορθώστε το εκεί ή αντιγράψτε ξανά το αρχείο.</translation>
     </message>
     <message>
-      <source>The JSON holds a number that is too large; mend it.</source>
+      <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το JSON περιέχει έναν υπερβολικά μεγάλο αριθμό· διορθώστε τον.</translation>
     </message>
@@ -5444,7 +5444,7 @@
       <translation>Ένας μετασχηματισμός πρέπει να είναι πίνακας 4x4.</translation>
     </message>
     <message>
-      <source>A transform holds something not a number.</source>
+      <source>A transform contains a value that is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας μετασχηματισμός περιέχει κάτι που δεν είναι αριθμός.</translation>
     </message>
@@ -5454,7 +5454,7 @@
       <translation>Ένας μετασχηματισμός δεν είναι άκαμπτος.</translation>
     </message>
     <message>
-      <source>There is no such folder; name the folder of a batch.</source>
+      <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τέτοιος φάκελος· δώστε τον φάκελο μιας παρτίδας.</translation>
     </message>
@@ -5469,17 +5469,17 @@
       <translation>Λείπει η πίσω όψη· βάλτε τις φωτογραφίες της στον φάκελο '%1'.</translation>
     </message>
     <message>
-      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι παρτίδα: δεν έχει ούτε τους φακέλους 'front' και 'back' ούτε τους 'top_images' και 'bottom_images'· δώστε τον φάκελο μιας παρτίδας.</translation>
     </message>
     <message>
-      <source>The name is not of the form %1; this photograph is left out.</source>
+      <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όνομα δεν έχει τη μορφή %1· αυτή η φωτογραφία παραλείπεται.</translation>
     </message>
     <message>
-      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια άλλη φωτογραφία έχει την ίδια κάμερα και στάση· αυτή παραλείπεται.</translation>
     </message>
@@ -5489,17 +5489,17 @@
       <translation>Αυτή η φωτογραφία παραλείπεται.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λείπουν φωτογραφίες εδώ: %1 και %2 ακόμη· ό,τι βλέπουν μόνο αυτές θα συμπληρωθεί, γι’ αυτό τραβήξτε τις ξανά αν έχουν σημασία.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λείπουν φωτογραφίες εδώ: %1· ό,τι βλέπουν μόνο αυτές θα συμπληρωθεί, γι’ αυτό τραβήξτε τις ξανά αν έχουν σημασία.</translation>
     </message>
     <message>
-      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όνομα είναι φωτογραφίας από διάταξη, αλλά τα περισσότερα άλλα δεν είναι· αυτή η φωτογραφία παραλείπεται.</translation>
     </message>
@@ -5509,47 +5509,47 @@
       <translation>Μια άλλη φωτογραφία έχει το ίδιο όνομα· αυτή παραλείπεται.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίες κάτω από %1 megapixel παραλείπονται (%2 και %3 ακόμη)· αντιγράψτε τα πρωτότυπα από την κάμερα αντί για μικρογραφίες.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίες κάτω από %1 megapixel παραλείπονται (%2)· αντιγράψτε τα πρωτότυπα από την κάμερα αντί για μικρογραφίες.</translation>
     </message>
     <message>
-      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More would take longer and add little.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιούνται %1 από τις %2 φωτογραφίες: οι πιο λεπτομερείς, κατανεμημένες στη σειρά. Περισσότερες αργούν και προσθέτουν λίγα.</translation>
     </message>
     <message>
-      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε αυτόν τον φάκελο δεν υπάρχουν φωτογραφίες· βάλτε εκεί τις φωτογραφίες μιας όψης.</translation>
     </message>
     <message>
-      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε αυτόν τον φάκελο δεν υπάρχουν ούτε φωτογραφίες ούτε οι φάκελοι «front» και «back» μιας παρτίδας· δώστε έναν φάκελο με φωτογραφίες.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with the photographs of a side.</source>
+      <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τέτοιος φάκελος· δώστε έναν με τις φωτογραφίες μιας όψης.</translation>
     </message>
     <message>
-      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δόθηκε για την μπροστινή και την πίσω όψη· δώστε τον φάκελο κάθε όψης.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μπροστινή όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· τραβήξτε κι άλλες από παντού γύρω.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πίσω όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· τραβήξτε κι άλλες από παντού γύρω.</translation>
     </message>
@@ -5559,7 +5559,7 @@
       <translation>Η εικόνα HEIC είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>
     </message>
     <message>
-      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα RAW είναι κατεστραμμένη ή από άγνωστη κάμερα· αντιγράψτε την ξανά ή εξαγάγετέ την ως TIFF.</translation>
     </message>
@@ -5574,12 +5574,12 @@
       <translation>Σε αυτές τις %2 φωτογραφίες δεν διαβάζεται φύλλο με τουλάχιστον %1 δείκτες των λεξικών της OpenCV· τραβήξτε φωτογραφίες που δείχνουν περισσότερο από αυτό ή δώστε το plate.json του.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα plate.json δεν περιγράφει το φύλλο: %1 δείκτες του %2 με πλευρές %3 mm βρέθηκαν στις φωτογραφίες (%4 px) και λαμβάνονται ως αυτό. Μετρήστε την απόσταση δύο απομακρυσμένων δεικτών και συγκρίνετέ την με το plate.json στον φάκελο εξόδου.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα plate.json δεν περιγράφει το φύλλο: στις φωτογραφίες βρέθηκαν %1 δείκτες του %2 (%3 px) και το μέγεθός τους δεν είναι γνωστό, οπότε το αποτέλεσμα δεν έχει κλίμακα. Μετρήστε την πλευρά του μαύρου τετραγώνου ενός δείκτη και δώστε την με --marker-mm.</translation>
     </message>
@@ -5589,27 +5589,27 @@
       <translation>Αυτή η μάσκα δεν χρησιμοποιείται.</translation>
     </message>
     <message>
-      <source>The mask's size is not its photograph's; it is not used.</source>
+      <source>The mask and its photograph differ in size; the mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μάσκα δεν έχει το μέγεθος της φωτογραφίας της· δεν χρησιμοποιείται.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα έχει %1 x %2 εικονοστοιχεία, οι άλλες της κάμεράς της %3 x %4· αυτή η φωτογραφία παραλείπεται.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μπροστινή όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· βάλτε εκεί φωτογραφίες με όνομα %3.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πίσω όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· βάλτε εκεί φωτογραφίες με όνομα %3.</translation>
     </message>
     <message>
-      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όνομα δεν είναι ούτε cam&lt;C&gt;_cal&lt;NN&gt;.jpg ούτε empty_cam&lt;C&gt;.jpg· αυτή η εικόνα παραλείπεται.</translation>
     </message>
@@ -5619,12 +5619,12 @@
       <translation>Αυτή η εικόνα παραλείπεται.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <source>The image has %1 x %2 pixels, but the photographs from its camera have %3 x %4; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα έχει %1 x %2 εικονοστοιχεία, οι φωτογραφίες της κάμεράς της %3 x %4· αυτή η εικόνα παραλείπεται.</translation>
     </message>
     <message>
-      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <source>The image header states a size of %1 x %2 pixels, which cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα δηλώνει μέγεθος %1 x %2 εικονοστοιχεία, που δεν μπορεί να χρησιμοποιηθεί.</translation>
     </message>
@@ -5634,7 +5634,7 @@
       <translation>Η εικόνα JPEG είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>
     </message>
     <message>
-      <source>The JPEG image has no picture in it.</source>
+      <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το JPEG δεν περιέχει εικόνα.</translation>
     </message>
@@ -5644,7 +5644,7 @@
       <translation>Η εικόνα PNG είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>
     </message>
     <message>
-      <source>The TIFF image has no size in it.</source>
+      <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα TIFF δεν δηλώνει μέγεθος.</translation>
     </message>
@@ -5654,7 +5654,7 @@
       <translation>Το αρχείο είναι άδειο· αντιγράψτε το ξανά από την κάμερα.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
+      <source>Not a JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι εικόνα JPEG, PNG, TIFF, HEIC ή RAW.</translation>
     </message>
@@ -5674,7 +5674,7 @@
       <translation>το 'ends' πρέπει να είναι δύο λίστες σημαδιών</translation>
     </message>
     <message>
-      <source>each end must be marked on two photographs at least</source>
+      <source>each end must be marked on at least two photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κάθε άκρο πρέπει να σημειωθεί σε τουλάχιστον δύο φωτογραφίες</translation>
     </message>
@@ -5699,22 +5699,22 @@
       <translation>Η εικόνα δεν αποκωδικοποιείται· αντιγράψτε την ξανά.</translation>
     </message>
     <message>
-      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μονάδα του δίσκου πρέπει να είναι mm· δημιουργήστε ξανά το αρχείο του δίσκου.</translation>
     </message>
     <message>
-      <source>The plate names more than 1024 markers.</source>
+      <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος ονομάζει πάνω από 1024 δείκτες.</translation>
     </message>
     <message>
-      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος χρειάζεται 'dictionary' και 'markers' με ένα id και τέσσερις γωνίες τριών αριθμών η καθεμία· το 'diameter', αν δίνεται, είναι αριθμός σε mm.</translation>
     </message>
     <message>
-      <source>The plate names no marker.</source>
+      <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος δεν ονομάζει κανέναν δείκτη.</translation>
     </message>
@@ -5724,7 +5724,7 @@
       <translation>Ο δείκτης %1 του δίσκου δεν έχει έγκυρες γωνίες.</translation>
     </message>
     <message>
-      <source>Marker %1 stands twice on the plate.</source>
+      <source>Marker %1 occurs twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δείκτης %1 υπάρχει δύο φορές στον δίσκο.</translation>
     </message>
@@ -6989,32 +6989,32 @@
       <translation>Το πλέγμα δεν έχει όψεις για εγγραφή.</translation>
     </message>
     <message>
-      <source>A face of the mesh names a vertex that is not there.</source>
+      <source>A face of the mesh refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια όψη του πλέγματος ονομάζει κορυφή που δεν υπάρχει.</translation>
     </message>
     <message>
-      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι αρχείο PLY· δώστε ένα ή εξαγάγετε ξανά τη σάρωση.</translation>
     </message>
     <message>
-      <source>The PLY header names no format; export it again.</source>
+      <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κεφαλίδα PLY δεν δηλώνει μορφή· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κεφαλίδα PLY έχει λάθος στη γραμμή %1: %2· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>its format is not known</source>
+      <source>its format is unknown</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η μορφή του δεν είναι γνωστή</translation>
     </message>
     <message>
-      <source>a count is no number</source>
+      <source>a count is not a number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ένα πλήθος δεν είναι αριθμός</translation>
     </message>
@@ -7029,22 +7029,22 @@
       <translation>μια ιδιότητα έχει άγνωστο τύπο</translation>
     </message>
     <message>
-      <source>a list has no whole number as its length</source>
+      <source>the length of a list is not a whole number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το μήκος μιας λίστας δεν είναι ακέραιος αριθμός</translation>
     </message>
     <message>
-      <source>a line cannot be understood</source>
+      <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μια γραμμή δεν είναι κατανοητή</translation>
     </message>
     <message>
-      <source>The PLY header has no end; export it again.</source>
+      <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κεφαλίδα PLY δεν έχει τέλος· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κεφαλίδα PLY δηλώνει %1 '%2', περισσότερα από όσα περιέχει το αρχείο· ίσως είναι κομμένο.</translation>
     </message>
@@ -7054,17 +7054,17 @@
       <translation>Το αρχείο PLY έχει δύο λίστες κορυφών· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Από τις κορυφές του PLY λείπει το x, το y ή το z· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο PLY τελειώνει νωρίς ή περιέχει κάτι που δεν είναι αριθμός· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια όψη του PLY ονομάζει κορυφή που δεν υπάρχει· εξαγάγετέ το ξανά.</translation>
     </message>
@@ -7084,37 +7084,37 @@
       <translation>Το αρχείο PLY δεν έχει κορυφές· εξαγάγετε ξανά τη σάρωση.</translation>
     </message>
     <message>
-      <source>The PLY file holds more than its header claims; export it again.</source>
+      <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο PLY περιέχει περισσότερα από όσα δηλώνει η κεφαλίδα του· εξαγάγετέ το ξανά.</translation>
     </message>
     <message>
-      <source>The PLY file holds no usable point; export the scan again.</source>
+      <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο PLY δεν περιέχει κανένα χρήσιμο σημείο· εξαγάγετε ξανά τη σάρωση.</translation>
     </message>
     <message>
-      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα τμήμα της ακμής δεν μπορεί να είναι χείλος· σχεδιάστε αυτό το όστρακο ως όστρακο χωρίς χείλος.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό που θεωρήθηκε χείλος μόλις που του μοιάζει (%1 %), γι’ αυτό δεν δίνεται διάμετρος· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
     <message>
-      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τμήμα του χείλους είναι πολύ μικρό ή πολύ ευθύ για να δοθεί διάμετρος· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
     <message>
-      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σχεδιάστηκε ως χείλος, που είναι πιθανό (%1 %)· ελέγξτε το.</translation>
     </message>
     <message>
-      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ίσως είναι χείλος (%1 %)· αν είναι, δηλώστε το και σχεδιάστε το ξανά.</translation>
     </message>
@@ -7124,12 +7124,12 @@
       <translation>Η κλίμακα του σχεδίου πρέπει να είναι μεταξύ 1:20 και 5:1.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model (%1); create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο (%1)· φτιάξτε το με το 'ostraka process'.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model; create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο· φτιάξτε το με το 'ostraka process'.</translation>
     </message>
@@ -7429,37 +7429,37 @@
       <translation>Η μάσκα έχει %1 x %2 εικονοστοιχεία· αναμένεται μάσκα %3 x %4 εικονοστοιχείων, όσο η φωτογραφία της.</translation>
     </message>
     <message>
-      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι μάσκες από τον δίσκο χρειάζονται τουλάχιστον 3 φωτογραφίες μιας όψης· φωτογραφίστε περισσότερες στάσεις.</translation>
     </message>
     <message>
-      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η φωτογραφία δεν έχει το μέγεθος της κάμεράς της· χρησιμοποιήστε το αρχικό αρχείο.</translation>
     </message>
     <message>
-      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε όστρακο στον δίσκο· ελέγξτε ότι οι φωτογραφίες δείχνουν όστρακα που ξεχωρίζουν από τον δίσκο, ή δώστε μάσκες.</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 έχει άλλο μέγεθος από τις φωτογραφίες της κάμερας· οι μάσκες έγιναν χωρίς αυτόν</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 δεν δείχνει τον δίσκο σε καμία από τις στάσεις· τραβήξτε τον ξανά στην πρώτη· οι μάσκες έγιναν χωρίς αυτόν</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 δείχνει δείκτες που κάτι τους καλύπτει στο %2· αφαιρέστε ό,τι είναι πάνω τους· οι μάσκες έγιναν χωρίς αυτόν</translation>
     </message>
     <message>
-      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μάσκες: μια σκιά που οι άλλες φωτογραφίες δεν έχουν πέφτει στον δίσκο στο %1· κρατήστε ανθρώπους και χέρια έξω από το φως, και τραβήξτε ξανά αυτές τις φωτογραφίες αν οι μάσκες τους φαίνονται λάθος</translation>
     </message>
@@ -7469,47 +7469,47 @@
       <translation>%1 (%2 % του γυμνού δίσκου)</translation>
     </message>
     <message>
-      <source>The front scan holds no points.</source>
+      <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση της μπροστινής όψης δεν περιέχει σημεία.</translation>
     </message>
     <message>
-      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση της μπροστινής όψης δεν έχει κάθετα διανύσματα· ένα μοντέλο πρέπει να ξέρει τι είναι έξω.</translation>
     </message>
     <message>
-      <source>The back scan holds no points.</source>
+      <source>The back scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση της πίσω όψης δεν περιέχει σημεία.</translation>
     </message>
     <message>
-      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση της πίσω όψης δεν έχει κάθετα διανύσματα· ένα μοντέλο πρέπει να ξέρει τι είναι έξω.</translation>
     </message>
     <message>
-      <source>The scans enclose no body; their normals may point inward.</source>
+      <source>The scans do not enclose a volume; their normals may point inward.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι σαρώσεις δεν περικλείουν σώμα· ίσως τα κάθετα διανύσματά τους δείχνουν προς τα μέσα.</translation>
     </message>
     <message>
-      <source>Only a closed mesh can be thinned out.</source>
+      <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο ένα κλειστό πλέγμα μπορεί να αραιωθεί.</translation>
     </message>
     <message>
-      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόκλιση ενός αραιωμένου πλέγματος πρέπει να είναι πάνω από 0 mm.</translation>
     </message>
     <message>
-      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση είναι πολύ μεγάλη για μοντέλο με αυτή την πυκνότητα σημείων· δώστε μεγαλύτερη απόσταση.</translation>
     </message>
     <message>
-      <source>The scans hold too few points that agree with each other for a model.</source>
+      <source>The scans contain too few points that agree with each other for a model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι σαρώσεις έχουν πολύ λίγα σημεία που συμφωνούν μεταξύ τους για ένα μοντέλο.</translation>
     </message>
@@ -7529,7 +7529,7 @@
       <translation>Η κορυφή %1 δεν ανήκει σε καμία έδρα.</translation>
     </message>
     <message>
-      <source>Vertex %1 holds two fans of faces together.</source>
+      <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κορυφή %1 κρατά μαζί δύο βεντάλιες εδρών.</translation>
     </message>
@@ -7539,7 +7539,7 @@
       <translation>Το πλέγμα δεν έχει έδρες.</translation>
     </message>
     <message>
-      <source>A face names a vertex that is not there.</source>
+      <source>A face refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια έδρα ονομάζει κορυφή που δεν υπάρχει.</translation>
     </message>
@@ -7549,7 +7549,7 @@
       <translation>Μια έδρα έχει δύο φορές την ίδια κορυφή.</translation>
     </message>
     <message>
-      <source>The scan's outline does not close.</source>
+      <source>The scan&apos;s outline is not closed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περίγραμμα της σάρωσης δεν κλείνει.</translation>
     </message>
@@ -7564,7 +7564,7 @@
       <translation>Ένα περίγραμμα χρειάζεται τουλάχιστον τρία σημεία.</translation>
     </message>
     <message>
-      <source>The evidence of a pair has no valid scans or figure.</source>
+      <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα στοιχεία ενός ζεύγους δεν έχουν έγκυρες σαρώσεις ή τιμή.</translation>
     </message>
@@ -7574,37 +7574,37 @@
       <translation>ζεύγη: το %1 μένει χωρίς ταίρι: %2</translation>
     </message>
     <message>
-      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <source>No two outlines match, so the sizes of the two sides cannot be compared; provide a known length.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχουν δύο όμοια περιγράμματα, οπότε τα μεγέθη των όψεων δεν συγκρίνονται· δώστε ένα γνωστό μήκος.</translation>
     </message>
     <message>
-      <source>A candidate names a scan that is not there.</source>
+      <source>A candidate refers to a scan that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας υποψήφιος ονομάζει σάρωση που δεν υπάρχει.</translation>
     </message>
     <message>
-      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι πίνακας υποψηφίων· υπολογίστε ξανά την παρτίδα, μόνο τα ζεύγη της γίνονται εκ νέου.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση %1 από %2 αφορά το %3, που η όψη του φωτογραφήθηκε ξανά στο μεταξύ· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση %1 από %2 αφορά το %3, που δεν είναι πια πάνω στον δίσκο· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση %1 από %2 δεν ισχύει: η απόφαση %3 από %4, που είναι νεότερη, αφορά την ίδια σάρωση· ανακαλέστε μία από τις δύο.</translation>
     </message>
     <message>
-      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια απόφαση είναι είδους που αυτό το πρόγραμμα δεν γνωρίζει· την έγραψε νεότερο.</translation>
     </message>
@@ -7614,27 +7614,27 @@
       <translation>Ένα ζεύγος χρειάζεται μία μπροστινή και μία πίσω όψη.</translation>
     </message>
     <message>
-      <source>Nothing was named to be set aside or shot again.</source>
+      <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν ονομάστηκε τίποτα για να μπει στην άκρη ή να φωτογραφηθεί ξανά.</translation>
     </message>
     <message>
-      <source>Pieces to be joined must be of one side.</source>
+      <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα κομμάτια που ενώνονται πρέπει να είναι της ίδιας όψης.</translation>
     </message>
     <message>
-      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια κοπή χρειάζεται ένα κομμάτι και μια γραμμή τουλάχιστον ενός χιλιοστού.</translation>
     </message>
     <message>
-      <source>Nothing was named to be withdrawn.</source>
+      <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν ονομάστηκε τίποτα για ανάκληση.</translation>
     </message>
     <message>
-      <source>These decisions were written by a newer program; use that one.</source>
+      <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτές οι αποφάσεις γράφτηκαν από νεότερο πρόγραμμα· χρησιμοποιήστε εκείνο.</translation>
     </message>
@@ -7644,17 +7644,17 @@
       <translation>Η απόφαση %1 δεν χρησιμοποιείται.</translation>
     </message>
     <message>
-      <source>Mend it, or put a copy of the file back.</source>
+      <source>Correct it, or restore a copy of the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διορθώστε την, ή επαναφέρετε ένα αντίγραφο του αρχείου.</translation>
     </message>
     <message>
-      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτές δεν είναι αποφάσεις αυτού του προγράμματος· μετακινήστε το αρχείο, ή επαναφέρετε ένα αντίγραφό του.</translation>
     </message>
     <message>
-      <source>This decision does not hold any more.</source>
+      <source>This decision is no longer in effect.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η απόφαση δεν ισχύει πια.</translation>
     </message>
@@ -7664,167 +7664,167 @@
       <translation>Δεν υπάρχει φωτογραφία αυτής της όψης.</translation>
     </message>
     <message>
-      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <source>The outlines of these two sides cannot be overlaid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα περιγράμματα αυτών των δύο όψεων δεν μπαίνουν το ένα πάνω στο άλλο.</translation>
     </message>
     <message>
-      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 ίσως είναι δύο όστρακα που αγγίζονται, τα %2 και %3 της άλλης όψης: κόψτε το στον έλεγχο, ή απομακρύνετέ τα και φωτογραφίστε ξανά την όψη του.</translation>
     </message>
     <message>
-      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι λίστα πινελιών σε μάσκες· επαναφέρετε μια παλιότερη ή αφαιρέστε την.</translation>
     </message>
     <message>
-      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχουν ακόμη μάσκες αυτής της παρτίδας· αφήστε πρώτα να υπολογιστεί.</translation>
     </message>
     <message>
-      <source>This file does not say how well the rig fitted.</source>
+      <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν λέει πόσο καλά ταίριαξε η διάταξη.</translation>
     </message>
     <message>
-      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η βαθμονόμηση είναι άλλων καμερών από εκείνες που φωτογράφισαν την παρτίδα· βαθμονομήστε τη διάταξη με τις δικές της φωτογραφίες.</translation>
     </message>
     <message>
-      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς plate.json οι μάσκες δεν βρίσκονται· βάλτε μάσκες δίπλα στις φωτογραφίες, ή ονομάστε ένα δίκτυο (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αποτέλεσμα δεν έχει κλίμακα: χωρίς plate.json κανένα μήκος δεν είναι γνωστό, και ό,τι δίνεται σε mm είναι εικασία για το μέγεθος ενός εικονοστοιχείου· φωτογραφίστε πάνω σε δίσκο με δείκτες, βάλτε τον πίνακα βαθμονόμησης του board.json δίπλα στα όστρακα και στις δύο όψεις, ή σημειώστε και στις δύο ένα γνωστό μήκος στο scale.json.</translation>
     </message>
     <message>
-      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου περιέχει κάτι που δεν είναι αυτού του προγράμματος· επιλέξτε άλλον ή έναν άδειο.</translation>
     </message>
     <message>
-      <source>The output folder holds another batch; choose another folder.</source>
+      <source>The output folder contains another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου περιέχει άλλη παρτίδα· επιλέξτε άλλον φάκελο.</translation>
     </message>
     <message>
-      <source>The output folder holds something else; name a new or empty folder.</source>
+      <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου περιέχει κάτι άλλο· ονομάστε έναν νέο ή άδειο φάκελο.</translation>
     </message>
     <message>
-      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ζεύγος ονομάζει σάρωση που δεν υπάρχει· διαγράψτε αυτό το αρχείο και ξεκινήστε ξανά.</translation>
     </message>
     <message>
-      <source>This is no table of pairs; delete it and start again.</source>
+      <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι πίνακας ζευγών· διαγράψτε τον και ξεκινήστε ξανά.</translation>
     </message>
     <message>
-      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα %1 και %2 ενώθηκαν σε ζεύγος με το χέρι, αλλά τίποτα δεν λέει πώς βρίσκονται μεταξύ τους· στρέψτε την πίσω όψη με το χέρι στον έλεγχο: %3</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Η φωτογραφία είναι θολή: οι άκρες της έχουν πλάτος %2 εικονοστοιχεία, της πιο ευκρινούς της κάμερας %3· παραλείπεται, τραβήξτε την ξανά.</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Η φωτογραφία είναι θολή: οι άκρες της έχουν πλάτος %2 εικονοστοιχεία, της πιο ευκρινούς της κάμερας %3· τραβήξτε την ξανά.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της μπροστινής όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
     </message>
     <message>
-      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όλες οι φωτογραφίες της πίσω πλευράς είναι θολές: ακόμη και στην πιο καθαρή οι ακμές των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την πλευρά.</translation>
     </message>
     <message>
-      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όλες οι φωτογραφίες της μπροστινής πλευράς είναι θολές: ακόμη και στην πιο καθαρή οι ακμές των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την πλευρά.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της πίσω όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση %1 από %2 ενώνει κομμάτια που δεν υπάρχουν πια· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση %1 από %2 κόβει κομμάτι που δεν υπάρχει, ή δίπλα του· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πρόγραμμα %1 δεν είναι εγκατεστημένο, και η στερεοσκοπία που επιλέχθηκε το χρειάζεται· εγκαταστήστε το, ή χρησιμοποιήστε την ενσωματωμένη.</translation>
     </message>
     <message>
-      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι φωτογραφίες δεν δείχνουν δίσκο με δείκτες, οπότε το πρόγραμμα %1 πρέπει να βρει τις κάμερες, και δεν είναι εγκατεστημένο.</translation>
     </message>
     <message>
-      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό χρειάζεται περίπου %1 GB μνήμης, και μόνο %2 GB είναι ελεύθερα: ο υπολογιστής μπορεί να το σταματήσει ή να γίνει πολύ αργός.</translation>
     </message>
     <message>
-      <source>Close other programs, or compute a draft.</source>
+      <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλείστε άλλα προγράμματα, ή υπολογίστε ένα προσχέδιο.</translation>
     </message>
     <message>
-      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: δεν λήφθηκε από τη θέση όπου στεκόταν η κάμερα ενώ περιστρεφόταν ο δίσκος· παραλείπεται.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στη μπροστινή όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στη μπροστινή όψη: από τη φωτογραφία %3 και μετά βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στην πίσω όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στην πίσω όψη: από τη φωτογραφία %3 και μετά βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου είναι μέσα στον φάκελο της παρτίδας, όπου δεν γράφεται ποτέ τίποτα· επιλέξτε έναν δίπλα του.</translation>
     </message>
     <message>
-      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι φωτογραφίες δεν μειώνονται κάτω από 0,3 μεγαπίξελ.</translation>
     </message>
@@ -7834,22 +7834,22 @@
       <translation>Δεν υπάρχει τέτοιο δίκτυο τμηματοποίησης· οι μάσκες είναι 'auto', 'given' ή ένα αρχείο ONNX.</translation>
     </message>
     <message>
-      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι μπροστινές όψεις δεν είναι σε mm: τα μήκη του αποτελέσματος, που λέγονται mm, είναι στη μονάδα των μπροστινών όψεων.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα ζεύγη αυτής της παρτίδας δεν έχουν υπολογιστεί ακόμη ή υπολογίστηκαν από παλαιότερο πρόγραμμα· υπολογίστε ξανά την παρτίδα: ό,τι είναι πλήρες διατηρείται.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κλίμακα δεν είναι σωστή: %1, οπότε όλα τα μέτρα θα ήταν %2 % πολύ μικρά· μετρήστε τον χάρακα πάνω στον δίσκο και δώστε στο plate.json το πραγματικό του μέγεθος με 'ostraka plate --ruler-measured', ή τυπώστε ξανά τον δίσκο στο 100 %· αν ο δίσκος είναι σωστός, μετρήστε το μήκος και βάλτε ξανά τα σημάδια του.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too large; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κλίμακα δεν είναι σωστή: %1, οπότε όλα τα μέτρα θα ήταν %2 % πολύ μεγάλα· μετρήστε τον χάρακα πάνω στον δίσκο και δώστε στο plate.json το πραγματικό του μέγεθος με 'ostraka plate --ruler-measured', ή τυπώστε ξανά τον δίσκο στο 100 %· αν ο δίσκος είναι σωστός, μετρήστε το μήκος και βάλτε ξανά τα σημάδια του.</translation>
     </message>
@@ -7859,7 +7859,7 @@
       <translation>το μήκος %1 mm που σημειώθηκε στη μπροστινή όψη μετρά %2 ± %3 mm στις φωτογραφίες (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το μήκος %1 mm στο scale.json δεν συγκρίθηκε: σημειώστε κάθε άκρο του σε δύο ή περισσότερες φωτογραφίες της μπροστινής όψης, τραβηγμένες από διαφορετικές κατευθύνσεις.</translation>
     </message>
@@ -7869,17 +7869,17 @@
       <translation>το μήκος %1 mm που σημειώθηκε στην πίσω όψη μετρά %2 ± %3 mm στις φωτογραφίες (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το μήκος %1 mm στο scale.json δεν συγκρίθηκε: σημειώστε κάθε άκρο του σε δύο ή περισσότερες φωτογραφίες της πίσω όψης, τραβηγμένες από διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος δεν διαβάζεται· ονομάστε έναν φάκελο με αρχεία PLY.</translation>
     </message>
     <message>
-      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει αρχείο PLY σε αυτόν τον φάκελο· η σάρωση κάθε οστράκου πρέπει να είναι ένα αρχείο PLY.</translation>
     </message>
@@ -7904,7 +7904,7 @@
       <translation>%1: %2 σημεία μακριά από όλα τα άλλα, ή στο 0, 0, 0, παραλείφθηκαν· ελέγξτε την εξαγωγή.</translation>
     </message>
     <message>
-      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <source>The scan has fewer than 100 points; rescan this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση έχει λιγότερα από 100 σημεία· σαρώστε ξανά αυτή την όψη.</translation>
     </message>
@@ -7914,7 +7914,7 @@
       <translation>Η σάρωση δεν έχει κάθετα διανύσματα· εξαγάγετέ την με nx, ny και nz.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση απέχει %1 φορές το μήκος της από το 0, 0, 0, οπότε οι συντεταγμένες της στρογγυλεύονται· μετακινήστε την εκεί και εξαγάγετέ την ξανά.</translation>
     </message>
@@ -7924,17 +7924,17 @@
       <translation>Καμία από τις σαρώσεις δεν χρησιμοποιείται: %1</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <source>The median length of these scans is %1 mm; their unit seems to be %2: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτές οι σαρώσεις έχουν διάμεσο μήκος %1 mm· μοιάζουν με %2: %3.</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <source>The median length of these scans is %1 mm; no sherds are of that size: %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτές οι σαρώσεις έχουν διάμεσο μήκος %1 mm· δεν υπάρχουν όστρακα τέτοιου μεγέθους: %2.</translation>
     </message>
     <message>
-      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <source>The median length of the fronts is %1 mm, of the backs %2 mm, so their units differ: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι μπροστινές όψεις έχουν διάμεσο μήκος %1 mm, οι πίσω %2 mm, οπότε οι μονάδες τους διαφέρουν: %3.</translation>
     </message>
@@ -7969,22 +7969,22 @@
       <translation>Το όστρακο %1 δεν έχει μοντέλο: %2</translation>
     </message>
     <message>
-      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακο %1: το %2 % της επιφάνειάς του δεν το είδε καμία κάμερα και έχει συμπληρωθεί, πορτοκαλί στην εικόνα· φωτογραφίστε το ξανά, αν έχει σημασία.</translation>
     </message>
     <message>
-      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακο %1: το μοντέλο του έχει μια διαμπερή οπή (%2 mm²). Αν το όστρακο δεν έχει καμία, οι φωτογραφίες δεν δείχνουν αυτό το σημείο· φωτογραφίστε το ξανά.</translation>
     </message>
     <message>
-      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ονομάζει το %1, που δεν είναι στην παρτίδα· διαγράψτε αυτό το αρχείο, και οι κάμερες θα βρεθούν ξανά.</translation>
     </message>
     <message>
-      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <source>This photograph has no mask; provide one for each photograph to be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η φωτογραφία δεν έχει μάσκα· δώστε μία για καθεμία που θα χρησιμοποιηθεί.</translation>
     </message>
@@ -7994,12 +7994,12 @@
       <translation>Αυτή η φωτογραφία δεν χρησιμοποιείται.</translation>
     </message>
     <message>
-      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 φωτογραφίες της μπροστινής όψης δεν πήραν θέση από το COLMAP και παραλείπονται.</translation>
     </message>
     <message>
-      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 φωτογραφίες της πίσω όψης δεν πήραν θέση από το COLMAP και παραλείπονται.</translation>
     </message>
@@ -8009,32 +8009,32 @@
       <translation>Η διάταξη δεν χρησιμοποιήθηκε: χωρίς plate.json οι θέσεις έρχονται από το COLMAP.</translation>
     </message>
     <message>
-      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Κανένα όστρακο δεν είναι σημειωμένο σε αυτή τη φωτογραφία· παραλείπεται.</translation>
     </message>
     <message>
-      <source>If sherds are on it, take it again or mend its mask.</source>
+      <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αν έχει όστρακα, τραβήξτε την ξανά ή διορθώστε τη μάσκα της.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
     </message>
     <message>
-      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δείτε τις μάσκες, και αν υπήρχαν όστρακα πάνω στον δίσκο.</translation>
     </message>
     <message>
-      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Συναντιούνται λιγότερα από 10 σημεία των θραύσεων· ξεκινήστε από καλύτερη θέση.</translation>
     </message>
@@ -8049,7 +8049,7 @@
       <translation>Η σάρωση δεν έχει κάθετα διανύσματα· εξαγάγετέ την με αυτά.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
+      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με την ακμή του.</translation>
     </message>
@@ -8644,22 +8644,22 @@
       <translation>Το %1 τελείωσε με σφάλμα· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ψίχουλο %1 mm στο x %2, y %3 mm έμεινε στην άκρη· αν είναι όστρακο, φωτογραφίστε το μόνο του.</translation>
     </message>
     <message>
-      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάτι επίπεδο στο x %1, y %2 mm έμεινε στην άκρη· ίσως είναι δείκτης ή βρωμιά πάνω στον δίσκο.</translation>
     </message>
     <message>
-      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δύο όστρακα αγγίζονται στο x %1, y %2 mm και χωρίστηκαν εκεί· αφήνετε απόσταση ενός δακτύλου ανάμεσα στα όστρακα.</translation>
     </message>
     <message>
-      <source>The cloud of the plate has no normals.</source>
+      <source>The plate&apos;s point cloud has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το νέφος σημείων του δίσκου δεν έχει κάθετα διανύσματα.</translation>
     </message>
@@ -8674,42 +8674,42 @@
       <translation>Δεν βρέθηκε όστρακο στην πίσω όψη· ελέγξτε τις μάσκες και τις φωτογραφίες της.</translation>
     </message>
     <message>
-      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το colmap χτίστηκε χωρίς CUDA, που το χρειάζεται η πυκνή στερεοσκοπία του· εγκαταστήστε ένα με CUDA, ή χρησιμοποιήστε --dense builtin, που δεν χρειάζεται τίποτα.</translation>
     </message>
     <message>
-      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι μάσκες των λήψεων δεν έχουν κοινό αντικείμενο· ελέγξτε μάσκες, κάμερες και όρια.</translation>
     </message>
     <message>
-      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το InterfaceCOLMAP δεν άφησε σκηνή· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
     </message>
     <message>
-      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το βάθος χρειάζεται τουλάχιστον 3 φωτογραφίες με γνωστές κάμερες.</translation>
     </message>
     <message>
-      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η φωτογραφία ή η μάσκα της έχει άλλο μέγεθος από αυτό της κάμερας· δώστε τη φωτογραφία με την οποία βαθμονομήθηκε η κάμερα.</translation>
     </message>
     <message>
-      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η φωτογραφία έχει άλλο μέγεθος από αυτό της κάμερας· δώστε τη φωτογραφία με την οποία βαθμονομήθηκε η κάμερα.</translation>
     </message>
     <message>
-      <source>The mask has another size than its photograph.</source>
+      <source>The mask and its photograph differ in size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μάσκα έχει άλλο μέγεθος από τη φωτογραφία της.</translation>
     </message>
     <message>
-      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 δεν βρήκε σημεία του αντικειμένου· τα μηνύματά του είναι σε αυτό το αρχείο, και το --dense builtin δεν χρειάζεται άλλο πρόγραμμα.</translation>
     </message>
@@ -8719,12 +8719,12 @@
       <translation>Το %1 έγραψε σημεία χωρίς κάθετα διανύσματα· εγκαταστήστε νεότερη έκδοση, ή χρησιμοποιήστε --dense builtin.</translation>
     </message>
     <message>
-      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πρόγραμμα %1 δεν είναι στο PATH, αλλά το --dense %2 το χρειάζεται· εγκαταστήστε το, ή χρησιμοποιήστε --dense builtin, που δεν χρειάζεται τίποτα.</translation>
     </message>
     <message>
-      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε σημείο της επιφάνειας στο οποίο συμφωνούν δύο λήψεις· ελέγξτε κάμερες και μάσκες.</translation>
     </message>
@@ -8734,7 +8734,7 @@
       <translation>Η εικόνα δεν κωδικοποιήθηκε.</translation>
     </message>
     <message>
-      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα %1 όστρακα δεν χωρούν στον δίσκο· ζητήστε λιγότερα, ή άλλον αρχικό αριθμό.</translation>
     </message>
@@ -8754,7 +8754,7 @@
       <translation>Τα όμοια όστρακα είναι ομάδες των δύο: το πολύ ο μισός αριθμός των οστράκων.</translation>
     </message>
     <message>
-      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάταξη χρειάζεται μία κάμερα και τουλάχιστον τέσσερις στάσεις· βαθμονομήστε την ξανά.</translation>
     </message>
@@ -8794,7 +8794,7 @@
       <translation>Το %1 είναι άκυρο και παραλείφθηκε.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό που θεωρήθηκε χείλος μόλις που του μοιάζει (%1 %)· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
@@ -8809,12 +8809,12 @@
       <translation>Ø %1 cm (95 %: %2 έως %3)</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept</source>
+      <source>%1 % of the rim preserved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>σώζεται το %1 % του χείλους</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept (%2 to %3)</source>
+      <source>%1 % of the rim preserved (%2 to %3)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>σώζεται το %1 % του χείλους (%2 έως %3)</translation>
     </message>
@@ -8844,7 +8844,7 @@
       <translation>Δεν υπάρχει ακόμη σακούλα %1 στο πλαίσιο %2· πληκτρολογήστε την στη λήψη ή εισαγάγετε έναν πίνακα πλαισίων που την περιέχει.</translation>
     </message>
     <message>
-      <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
+      <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό που θεωρήθηκε χείλος μπορεί να είναι θραύση (%1 % ότι είναι το χείλος) και η διάμετρος λάθος· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
@@ -8869,7 +8869,7 @@
       <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
     </message>
     <message>
-      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα δεν έχει υπολογιστεί ως το τέλος· αφήστε την ουρά να την υπολογίσει και τότε θα μπορείτε να δείτε τα ζεύγη της.</translation>
     </message>
@@ -8889,7 +8889,7 @@
       <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει υπολογιστεί ακόμη.</translation>
     </message>
     <message>
-      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει φύλλο παλαιότερου σχεδίου και δεν αντικαθίσταται· διαλέξτε άλλο όνομα ή αφαιρέστε το.</translation>
     </message>
@@ -8899,77 +8899,77 @@
       <translation>Μετά το σύμβολο = ακολουθεί αριθμός.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
+      <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό είναι φάκελος, όχι αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
-      <source>This is a pipe, not a file; name a file.</source>
+      <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό είναι διοχέτευση, όχι αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
-      <source>This is a socket, not a file; name a file.</source>
+      <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό είναι υποδοχή (socket), όχι αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
-      <source>This is a device, not a file; name a file.</source>
+      <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό είναι συσκευή, όχι αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας σύνδεσμος βρίσκεται στη θέση του κλειδώματος αυτού του φακέλου· διαγράψτε τον.</translation>
     </message>
     <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν μπορεί να δημιουργηθεί προσωρινός φάκελος εδώ (%1)· ελευθερώστε χώρο ή ορίστε άλλον φάκελο στο TMPDIR.</translation>
     </message>
     <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το JSON ονομάζει το «%1» δύο φορές σε ένα αντικείμενο· διαγράψτε ένα από τα δύο.</translation>
     </message>
     <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» πρέπει να είναι ακέραιος από %2 έως %3· διορθώστε το.</translation>
     </message>
     <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» πρέπει να είναι αριθμός από %2 έως %3· διορθώστε το.</translation>
     </message>
     <message>
-      <source>'%1' must be a number; mend it.</source>
+      <source>&apos;%1&apos; must be a number; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» πρέπει να είναι αριθμός· διορθώστε το.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δείκτης %1 του δίσκου είναι κατοπτρικός: από πάνω οι γωνίες του πηγαίνουν αριστερόστροφα· τυπώστε ξανά το αρχείο του δίσκου.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δείκτης %1 του δίσκου δεν είναι κυρτός· δώστε τις γωνίες του τη μία μετά την άλλη κατά μήκος της ακμής.</translation>
     </message>
     <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι δείκτες %1 και %2 του δίσκου επικαλύπτονται· τυπώστε ξανά το αρχείο του δίσκου.</translation>
     </message>
     <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι δείκτες του πίνακα βαθμονόμησης πρέπει να είναι μικρότεροι από τα τετράγωνά του· διορθώστε το «marker_mm» ή το «square_mm».</translation>
     </message>
     <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια έδρα του PLY έχει πάνω από %1 γωνίες· εξαγάγετέ το ξανά ως τρίγωνα.</translation>
     </message>
@@ -8979,12 +8979,12 @@
       <translation>Το αρχείο PLY έχει πάνω από %1 από «%2»· εξαγάγετέ το με λιγότερα.</translation>
     </message>
     <message>
-      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας σύνδεσμος ή ένα αρχείο βρίσκεται στη θέση φακέλου, ή ένας σύνδεσμος στη θέση αρχείου· βάλτε εκεί τα ίδια τα αρχεία.</translation>
     </message>
     <message>
-      <source>There is a file of this name already; it is not overwritten.</source>
+      <source>A file of this name already exists; it is not overwritten.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα· δεν αντικαθίσταται.</translation>
     </message>
@@ -8999,32 +8999,32 @@
       <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
     <message>
-      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου δεν υπάρχει πια: μετακινήθηκε ή διαγράφηκε ενώ το πρόγραμμα έγραφε σε αυτόν. Οι φωτογραφίες είναι ανέπαφες· ξεκινήστε ξανά την ίδια εντολή.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one.</source>
+      <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος περιέχει ήδη αρχεία· δώστε έναν νέο ή άδειο.</translation>
     </message>
     <message>
-      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος είναι ξεχωριστός δίσκος ή εκείνος στον οποίο βρίσκεστε· δώστε έναν νέο φάκελο μέσα του.</translation>
     </message>
     <message>
-      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος χρειάζεται για ημιτελή αρχεία, αλλά περιέχει άλλα· μετακινήστε τον.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα κομμάτι με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την μπροστινή όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα κομμάτι με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την πίσω όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
     </message>

@@ -5134,7 +5134,7 @@
 <context>
     <name>ostraka::Error</name>
     <message>
-      <source>Stopped on request.</source>
+      <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenido a petición.</translation>
     </message>
@@ -5239,7 +5239,7 @@
       <translation>El disco está lleno; libere espacio y siga fotografiando.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and start the same command again.</source>
+      <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco está lleno; libere espacio y empiece lo mismo otra vez.</translation>
     </message>
@@ -5254,7 +5254,7 @@
       <translation>Otro programa mantiene ocupado el catálogo; ciérrelo e inténtelo otra vez.</translation>
     </message>
     <message>
-      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
     </message>
@@ -5269,37 +5269,37 @@
       <translation>Yacimientos y cortes que no existían: %1; compruebe que ninguno sea una errata.</translation>
     </message>
     <message>
-      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los resultados de esta tanda ya no están; calcúlela otra vez y decida después.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: sus fotos proceden de cámaras distintas (%2); dé a cada cámara su propio nombre, pues se calcula un solo objetivo para todas las que tienen el mismo.</translation>
     </message>
     <message>
-      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: su distancia focal no es la misma en todas las fotos (%2); se calcula un solo objetivo para todas, así que fije el zoom y fotografíe otra vez.</translation>
     </message>
     <message>
-      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: su apertura no es la misma en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
     </message>
     <message>
-      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its exposure time varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: su tiempo de exposición no es el mismo en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
     </message>
     <message>
-      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its sensitivity varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: su sensibilidad no es la misma en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
     </message>
     <message>
-      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its white balance varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: su balance de blancos no es el mismo en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
     </message>
@@ -5334,7 +5334,7 @@
       <translation>La imagen no se puede descodificar.</translation>
     </message>
     <message>
-      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se encontró ningún cuerpo en el que coincidan las fotos; revise las cámaras o dé máscaras.</translation>
     </message>
@@ -5344,17 +5344,17 @@
       <translation>Cada foto necesita una pose.</translation>
     </message>
     <message>
-      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una envolvente necesita al menos 3 fotos; fotografíe la pieza desde más lados.</translation>
     </message>
     <message>
-      <source>The cameras do not look at a common place; check their poses.</source>
+      <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las cámaras no miran a un lugar común; revise sus poses.</translation>
     </message>
     <message>
-      <source>The network needs a colour photograph of 8 bits.</source>
+      <source>The network needs an 8-bit colour photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La red necesita una foto en color de 8 bits.</translation>
     </message>
@@ -5384,7 +5384,7 @@
       <translation>Esto no es el archivo de un proyecto entero; léalo como una exportación.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede escribir aquí (%1); elija otro lugar o revise sus permisos.</translation>
     </message>
@@ -5399,12 +5399,12 @@
       <translation>El archivo no se puede abrir (%1); revise sus permisos.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
+      <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un archivo normal; indique un archivo.</translation>
     </message>
     <message>
-      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo es mayor que los %1 bytes que se leen aquí; ¿es el correcto?</translation>
     </message>
@@ -5414,7 +5414,7 @@
       <translation>El archivo no se puede leer (%1); cópielo otra vez.</translation>
     </message>
     <message>
-      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro proceso está escribiendo aquí; espere a que termine o elija otra carpeta.</translation>
     </message>
@@ -5429,12 +5429,12 @@
       <translation>El JSON está anidado en más de 64 niveles.</translation>
     </message>
     <message>
-      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es JSON válido (línea %1); corríjalo ahí o copie otra vez el archivo.</translation>
     </message>
     <message>
-      <source>The JSON holds a number that is too large; mend it.</source>
+      <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El JSON contiene un número demasiado grande; corríjalo.</translation>
     </message>
@@ -5444,7 +5444,7 @@
       <translation>Una transformación debe ser una matriz 4x4.</translation>
     </message>
     <message>
-      <source>A transform holds something not a number.</source>
+      <source>A transform contains a value that is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una transformación contiene algo que no es un número.</translation>
     </message>
@@ -5454,7 +5454,7 @@
       <translation>Una transformación no es rígida.</translation>
     </message>
     <message>
-      <source>There is no such folder; name the folder of a batch.</source>
+      <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No existe esa carpeta; indique la carpeta de una tanda.</translation>
     </message>
@@ -5469,17 +5469,17 @@
       <translation>Falta el reverso; ponga sus fotos en la carpeta '%1'.</translation>
     </message>
     <message>
-      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es una tanda: no tiene las carpetas 'front' y 'back' ni 'top_images' y 'bottom_images'; indique la carpeta de una tanda.</translation>
     </message>
     <message>
-      <source>The name is not of the form %1; this photograph is left out.</source>
+      <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El nombre no tiene la forma %1; esta foto se omite.</translation>
     </message>
     <message>
-      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otra foto tiene la misma cámara y la misma parada; esta se omite.</translation>
     </message>
@@ -5489,17 +5489,17 @@
       <translation>Esta foto se omite.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aquí faltan fotos: %1 y %2 más; lo que solo ellas ven se rellenará, así que repítalas si importan.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aquí faltan fotos: %1; lo que solo ellas ven se rellenará, así que repítalas si importan.</translation>
     </message>
     <message>
-      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El nombre es el de una foto de un equipo fijo, pero la mayoría de los demás no; esta foto se omite.</translation>
     </message>
@@ -5509,47 +5509,47 @@
       <translation>Otra foto tiene el mismo nombre; esta se omite.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos de menos de %1 megapíxeles se omiten (%2 y %3 más); copie los originales de la cámara en lugar de las miniaturas.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos de menos de %1 megapíxeles se omiten (%2); copie los originales de la cámara en lugar de las miniaturas.</translation>
     </message>
     <message>
-      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More would take longer and add little.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se usan %1 de las %2 fotos: las más detalladas, repartidas por la serie. Más tardan más y aportan poco.</translation>
     </message>
     <message>
-      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En esta carpeta no hay fotos; ponga ahí las fotos de una cara.</translation>
     </message>
     <message>
-      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En esta carpeta no hay ni fotos ni las carpetas «front» y «back» de una tanda; indique una carpeta con fotos.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with the photographs of a side.</source>
+      <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No existe esa carpeta; indique una con las fotos de una cara.</translation>
     </message>
     <message>
-      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta se indicó para el anverso y el reverso; indique la carpeta de cada cara.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El anverso tiene %1 fotos utilizables, hacen falta al menos %2; tome más desde todo alrededor.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El reverso tiene %1 fotos utilizables, hacen falta al menos %2; tome más desde todo alrededor.</translation>
     </message>
@@ -5559,7 +5559,7 @@
       <translation>La imagen HEIC está dañada; cópiela otra vez.</translation>
     </message>
     <message>
-      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen RAW está dañada, o es de una cámara desconocida; cópiela otra vez, o expórtela como TIFF.</translation>
     </message>
@@ -5574,12 +5574,12 @@
       <translation>En estas %2 fotos no se lee ninguna hoja con al menos %1 marcadores de los diccionarios de OpenCV; tome fotos que muestren más de ella, o indique su plate.json.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún plate.json describe la hoja: se encontraron %1 marcas de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcadores alejados y compárela con plate.json en la carpeta de salida.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún plate.json describe la hoja: en las fotografías se encontraron %1 marcas de %2 (%3 px) y no se conoce su tamaño, por lo que el resultado no tiene escala. Mida el lado del cuadrado negro de una marca e indíquelo con --marker-mm.</translation>
     </message>
@@ -5589,27 +5589,27 @@
       <translation>Esta máscara no se usa.</translation>
     </message>
     <message>
-      <source>The mask's size is not its photograph's; it is not used.</source>
+      <source>The mask and its photograph differ in size; the mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La máscara no tiene el tamaño de su foto; no se usa.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen tiene %1 x %2 píxeles, las demás de su cámara %3 x %4; esta foto se omite.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El anverso tiene %1 fotos utilizables, hacen falta al menos %2; ponga ahí fotos con nombre %3.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El reverso tiene %1 fotos utilizables, hacen falta al menos %2; ponga ahí fotos con nombre %3.</translation>
     </message>
     <message>
-      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El nombre no es cam&lt;C&gt;_cal&lt;NN&gt;.jpg ni empty_cam&lt;C&gt;.jpg; esta imagen se omite.</translation>
     </message>
@@ -5619,12 +5619,12 @@
       <translation>Esta imagen se omite.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <source>The image has %1 x %2 pixels, but the photographs from its camera have %3 x %4; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen tiene %1 x %2 píxeles, las fotos de su cámara %3 x %4; esta imagen se omite.</translation>
     </message>
     <message>
-      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <source>The image header states a size of %1 x %2 pixels, which cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen declara un tamaño de %1 x %2 píxeles, que no se puede usar.</translation>
     </message>
@@ -5634,7 +5634,7 @@
       <translation>La imagen JPEG está dañada; cópiela otra vez.</translation>
     </message>
     <message>
-      <source>The JPEG image has no picture in it.</source>
+      <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen JPEG no contiene ninguna imagen.</translation>
     </message>
@@ -5644,7 +5644,7 @@
       <translation>La imagen PNG está dañada; cópiela otra vez.</translation>
     </message>
     <message>
-      <source>The TIFF image has no size in it.</source>
+      <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen TIFF no indica su tamaño.</translation>
     </message>
@@ -5654,7 +5654,7 @@
       <translation>El archivo está vacío; cópielo otra vez de la cámara.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
+      <source>Not a JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es una imagen JPEG, PNG, TIFF, HEIC ni RAW.</translation>
     </message>
@@ -5674,7 +5674,7 @@
       <translation>'ends' debe ser dos listas de marcas</translation>
     </message>
     <message>
-      <source>each end must be marked on two photographs at least</source>
+      <source>each end must be marked on at least two photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>cada extremo debe estar marcado en dos fotos como mínimo</translation>
     </message>
@@ -5699,22 +5699,22 @@
       <translation>La imagen no se puede descodificar; cópiela otra vez.</translation>
     </message>
     <message>
-      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La unidad del plato debe ser mm; genere otra vez el archivo del plato.</translation>
     </message>
     <message>
-      <source>The plate names more than 1024 markers.</source>
+      <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El plato nombra más de 1024 marcas.</translation>
     </message>
     <message>
-      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El plato necesita 'dictionary' y 'markers' con un id y cuatro esquinas de tres números cada una; 'diameter', si se da, es un número en mm.</translation>
     </message>
     <message>
-      <source>The plate names no marker.</source>
+      <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El plato no nombra ninguna marca.</translation>
     </message>
@@ -5724,7 +5724,7 @@
       <translation>La marca %1 del plato no tiene esquinas válidas.</translation>
     </message>
     <message>
-      <source>Marker %1 stands twice on the plate.</source>
+      <source>Marker %1 occurs twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marca %1 está dos veces en el plato.</translation>
     </message>
@@ -6989,32 +6989,32 @@
       <translation>La malla no tiene caras que escribir.</translation>
     </message>
     <message>
-      <source>A face of the mesh names a vertex that is not there.</source>
+      <source>A face of the mesh refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cara de la malla nombra un vértice que no existe.</translation>
     </message>
     <message>
-      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un archivo PLY; indique uno o exporte otra vez el escaneo.</translation>
     </message>
     <message>
-      <source>The PLY header names no format; export it again.</source>
+      <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cabecera PLY no nombra ningún formato; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cabecera PLY está mal en la línea %1: %2; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>its format is not known</source>
+      <source>its format is unknown</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>su formato no se conoce</translation>
     </message>
     <message>
-      <source>a count is no number</source>
+      <source>a count is not a number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>una cantidad no es un número</translation>
     </message>
@@ -7029,22 +7029,22 @@
       <translation>una propiedad tiene un tipo desconocido</translation>
     </message>
     <message>
-      <source>a list has no whole number as its length</source>
+      <source>the length of a list is not a whole number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la longitud de una lista no es un número entero</translation>
     </message>
     <message>
-      <source>a line cannot be understood</source>
+      <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>una línea no se entiende</translation>
     </message>
     <message>
-      <source>The PLY header has no end; export it again.</source>
+      <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cabecera PLY no tiene final; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cabecera PLY declara %1 de '%2', más de lo que contiene el archivo; puede estar cortado.</translation>
     </message>
@@ -7054,17 +7054,17 @@
       <translation>El archivo PLY tiene dos listas de vértices; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>A los vértices del PLY les falta x, y o z; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo PLY acaba antes de tiempo o contiene algo que no es un número; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cara del PLY nombra un vértice que no existe; expórtelo otra vez.</translation>
     </message>
@@ -7084,37 +7084,37 @@
       <translation>El archivo PLY no tiene vértices; exporte otra vez el escaneo.</translation>
     </message>
     <message>
-      <source>The PLY file holds more than its header claims; export it again.</source>
+      <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo PLY contiene más de lo que declara su cabecera; expórtelo otra vez.</translation>
     </message>
     <message>
-      <source>The PLY file holds no usable point; export the scan again.</source>
+      <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo PLY no contiene ningún punto utilizable; exporte otra vez el escaneo.</translation>
     </message>
     <message>
-      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún tramo del contorno puede ser parte de un borde; dibuje este fragmento como uno sin borde.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que se tomó por el labio apenas lo parece (%1 %), así que no se indica diámetro; revise cómo está orientado el fragmento.</translation>
     </message>
     <message>
-      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El tramo de borde es demasiado corto o demasiado recto para dar un diámetro; revise cómo está orientado el fragmento.</translation>
     </message>
     <message>
-      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dibujado como borde, lo que es probable (%1 %); compruébelo.</translation>
     </message>
     <message>
-      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Puede ser un borde (%1 %); si lo es, indíquelo y dibújelo otra vez.</translation>
     </message>
@@ -7124,12 +7124,12 @@
       <translation>La escala del dibujo debe estar entre 1:20 y 5:1.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model (%1); create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dibujo necesita un modelo cerrado (%1); hágalo con 'ostraka process'.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model; create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dibujo necesita un modelo cerrado; hágalo con 'ostraka process'.</translation>
     </message>
@@ -7429,37 +7429,37 @@
       <translation>La máscara tiene %1 x %2 píxeles; se esperaba una máscara de %3 x %4 píxeles, el tamaño de su foto.</translation>
     </message>
     <message>
-      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las máscaras a partir del plato necesitan al menos 3 fotos de una cara; fotografíe más paradas.</translation>
     </message>
     <message>
-      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La foto no tiene el tamaño de su cámara; use el archivo original.</translation>
     </message>
     <message>
-      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se encontró ningún fragmento en el plato; compruebe que las fotos muestran fragmentos distintos del plato, o dé máscaras.</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras: el plato vacío de la cámara %1 tiene otro tamaño que las fotos de la cámara; enmascarado sin él</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras: el plato vacío de la cámara %1 no muestra el plato en ninguna de las paradas; repítalo en la primera; enmascarado sin él</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras: el plato vacío de la cámara %1 muestra marcas que algo tapa en %2; retire lo que está encima de ellas; enmascarado sin él</translation>
     </message>
     <message>
-      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras: una sombra que las demás fotos no tienen cae sobre el plato en %1; mantenga personas y manos fuera de la luz, y repita estas fotos si sus máscaras parecen mal</translation>
     </message>
@@ -7469,47 +7469,47 @@
       <translation>%1 (%2 % del plato libre)</translation>
     </message>
     <message>
-      <source>The front scan holds no points.</source>
+      <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo del anverso no contiene puntos.</translation>
     </message>
     <message>
-      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo del anverso no tiene normales; un modelo necesita saber qué es el exterior.</translation>
     </message>
     <message>
-      <source>The back scan holds no points.</source>
+      <source>The back scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo del reverso no contiene puntos.</translation>
     </message>
     <message>
-      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo del reverso no tiene normales; un modelo necesita saber qué es el exterior.</translation>
     </message>
     <message>
-      <source>The scans enclose no body; their normals may point inward.</source>
+      <source>The scans do not enclose a volume; their normals may point inward.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los escaneos no encierran ningún cuerpo; quizá sus normales apuntan hacia dentro.</translation>
     </message>
     <message>
-      <source>Only a closed mesh can be thinned out.</source>
+      <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo se puede aligerar una malla cerrada.</translation>
     </message>
     <message>
-      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La desviación de una malla aligerada debe ser mayor que 0 mm.</translation>
     </message>
     <message>
-      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo es demasiado grande para un modelo con este espaciado; dé uno mayor.</translation>
     </message>
     <message>
-      <source>The scans hold too few points that agree with each other for a model.</source>
+      <source>The scans contain too few points that agree with each other for a model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los escaneos tienen muy pocos puntos que concuerden entre sí para un modelo.</translation>
     </message>
@@ -7529,7 +7529,7 @@
       <translation>El vértice %1 no pertenece a ninguna cara.</translation>
     </message>
     <message>
-      <source>Vertex %1 holds two fans of faces together.</source>
+      <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El vértice %1 une dos abanicos de caras.</translation>
     </message>
@@ -7539,7 +7539,7 @@
       <translation>La malla no tiene caras.</translation>
     </message>
     <message>
-      <source>A face names a vertex that is not there.</source>
+      <source>A face refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cara nombra un vértice que no existe.</translation>
     </message>
@@ -7549,7 +7549,7 @@
       <translation>Una cara tiene dos veces el mismo vértice.</translation>
     </message>
     <message>
-      <source>The scan's outline does not close.</source>
+      <source>The scan&apos;s outline is not closed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contorno del escaneo no se cierra.</translation>
     </message>
@@ -7564,7 +7564,7 @@
       <translation>Un contorno necesita al menos tres puntos.</translation>
     </message>
     <message>
-      <source>The evidence of a pair has no valid scans or figure.</source>
+      <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los datos de un par no tienen escaneos o cifra válidos.</translation>
     </message>
@@ -7574,37 +7574,37 @@
       <translation>emparejamiento: %1 queda sin pareja: %2</translation>
     </message>
     <message>
-      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <source>No two outlines match, so the sizes of the two sides cannot be compared; provide a known length.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay dos contornos parecidos, así que no se pueden comparar los tamaños de los lados; dé una longitud conocida.</translation>
     </message>
     <message>
-      <source>A candidate names a scan that is not there.</source>
+      <source>A candidate refers to a scan that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un candidato nombra un escaneo que no existe.</translation>
     </message>
     <message>
-      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es una tabla de candidatos; calcule la tanda otra vez, solo se rehacen sus pares.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión %1 de %2 trata de %3, cuyo lado se fotografió de nuevo desde entonces; decida otra vez.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión %1 de %2 trata de %3, que ya no está en el plato; decida otra vez.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión %1 de %2 no vale: la decisión %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
     </message>
     <message>
-      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una decisión es de un tipo que este programa no conoce; la escribió uno más nuevo.</translation>
     </message>
@@ -7614,27 +7614,27 @@
       <translation>Un par necesita un anverso y un reverso.</translation>
     </message>
     <message>
-      <source>Nothing was named to be set aside or shot again.</source>
+      <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se nombró nada que apartar o fotografiar otra vez.</translation>
     </message>
     <message>
-      <source>Pieces to be joined must be of one side.</source>
+      <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las piezas que se unen deben ser del mismo lado.</translation>
     </message>
     <message>
-      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un corte necesita una pieza y una línea de al menos un milímetro.</translation>
     </message>
     <message>
-      <source>Nothing was named to be withdrawn.</source>
+      <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se nombró nada que retirar.</translation>
     </message>
     <message>
-      <source>These decisions were written by a newer program; use that one.</source>
+      <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estas decisiones las escribió un programa más nuevo; use ese.</translation>
     </message>
@@ -7644,17 +7644,17 @@
       <translation>La decisión %1 no se puede usar.</translation>
     </message>
     <message>
-      <source>Mend it, or put a copy of the file back.</source>
+      <source>Correct it, or restore a copy of the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Corríjala, o restablezca una copia del archivo.</translation>
     </message>
     <message>
-      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estas no son decisiones de este programa; aparte el archivo, o restablezca una copia.</translation>
     </message>
     <message>
-      <source>This decision does not hold any more.</source>
+      <source>This decision is no longer in effect.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta decisión ya no vale.</translation>
     </message>
@@ -7664,167 +7664,167 @@
       <translation>No hay ninguna foto de este lado.</translation>
     </message>
     <message>
-      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <source>The outlines of these two sides cannot be overlaid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los contornos de estos dos lados no se pueden superponer.</translation>
     </message>
     <message>
-      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 pueden ser dos fragmentos que se tocan, %2 y %3 del otro lado: córtelo en la revisión, o sepárelos y fotografíe otra vez su lado.</translation>
     </message>
     <message>
-      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es una lista de trazos en máscaras; restablezca una anterior o quítela.</translation>
     </message>
     <message>
-      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta tanda aún no tiene máscaras; deje que se calcule antes.</translation>
     </message>
     <message>
-      <source>This file does not say how well the rig fitted.</source>
+      <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo no dice lo bien que coincidía el equipo.</translation>
     </message>
     <message>
-      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta calibración es de otras cámaras que las que fotografiaron la tanda; calibre el equipo con sus propias fotos.</translation>
     </message>
     <message>
-      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sin plate.json no se pueden hallar las máscaras; ponga máscaras junto a las fotos, o nombre una red (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El resultado no tiene escala: sin plate.json no se conoce ninguna longitud, y lo que se da en mm parte de un tamaño de píxel supuesto; fotografíe sobre un plato con marcas, ponga el tablero de board.json junto a los fragmentos en ambos lados, o marque en ambos una longitud conocida en scale.json.</translation>
     </message>
     <message>
-      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida contiene algo que no es de este programa; elija otra o una vacía.</translation>
     </message>
     <message>
-      <source>The output folder holds another batch; choose another folder.</source>
+      <source>The output folder contains another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida contiene otra tanda; elija otra carpeta.</translation>
     </message>
     <message>
-      <source>The output folder holds something else; name a new or empty folder.</source>
+      <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida contiene otra cosa; nombre una carpeta nueva o vacía.</translation>
     </message>
     <message>
-      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un par nombra un escaneo que no existe; borre este archivo y empiece otra vez.</translation>
     </message>
     <message>
-      <source>This is no table of pairs; delete it and start again.</source>
+      <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es una tabla de pares; bórrela y empiece otra vez.</translation>
     </message>
     <message>
-      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 y %2 se emparejaron a mano, pero nada dice cómo se sitúan uno respecto al otro; gire el reverso a mano en la revisión: %3</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; se omite, tómela otra vez.</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; tómela otra vez.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del anverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
     <message>
-      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todas las fotografías del reverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y fotografíe de nuevo este lado.</translation>
     </message>
     <message>
-      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todas las fotografías del anverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y fotografíe de nuevo este lado.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión %1 de %2 une piezas que ya no existen; decida otra vez.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión %1 de %2 corta una pieza que no existe, o al lado de ella; decida otra vez.</translation>
     </message>
     <message>
-      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El programa %1 no está instalado, y el estéreo elegido lo necesita; instálelo, o use el estéreo integrado.</translation>
     </message>
     <message>
-      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos no muestran un plato con marcas, así que el programa %1 tiene que hallar las cámaras, y no está instalado.</translation>
     </message>
     <message>
-      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto necesitará unos %1 GB de memoria, y solo hay %2 GB libres: el ordenador puede detenerlo o volverse muy lento.</translation>
     </message>
     <message>
-      <source>Close other programs, or compute a draft.</source>
+      <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cierre otros programas, o calcule un borrador.</translation>
     </message>
     <message>
-      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se tomó desde donde estaba la cámara mientras giraba el plato; se deja fuera.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el anverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el anverso: desde %3 está en otro lugar; fotografíe otra vez este lado.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el reverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el reverso: desde %3 está en otro lugar; fotografíe otra vez este lado.</translation>
     </message>
     <message>
-      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida está dentro de la carpeta de la tanda, donde nunca se escribe nada; elija una al lado.</translation>
     </message>
     <message>
-      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos no se pueden reducir a menos de 0,3 megapíxeles.</translation>
     </message>
@@ -7834,22 +7834,22 @@
       <translation>Esa red de segmentación no existe; las máscaras son 'auto', 'given' o un archivo ONNX.</translation>
     </message>
     <message>
-      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los anversos no están en mm: las longitudes del resultado, llamadas mm, están en la unidad propia de los anversos.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los pares de esta tanda aún no están calculados, o los calculó un programa más antiguo; vuelva a calcular la tanda: lo que está completo se conserva.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La escala no es correcta: %1, así que todas las medidas serían un %2 % demasiado pequeñas; mida la regla del plato y dé a plate.json su tamaño verdadero con 'ostraka plate --ruler-measured', o imprima otra vez el plato al 100 %; si el plato está bien, mida la longitud y ponga de nuevo sus marcas.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too large; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La escala no es correcta: %1, así que todas las medidas serían un %2 % demasiado grandes; mida la regla del plato y dé a plate.json su tamaño verdadero con 'ostraka plate --ruler-measured', o imprima otra vez el plato al 100 %; si el plato está bien, mida la longitud y ponga de nuevo sus marcas.</translation>
     </message>
@@ -7859,7 +7859,7 @@
       <translation>la longitud de %1 mm marcada en el anverso mide %2 ± %3 mm en las fotos (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longitud de %1 mm en scale.json no se pudo comparar: marque cada uno de sus extremos en dos o más fotos del anverso, tomadas desde distintas direcciones.</translation>
     </message>
@@ -7869,17 +7869,17 @@
       <translation>la longitud de %1 mm marcada en el reverso mide %2 ± %3 mm en las fotos (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longitud de %1 mm en scale.json no se pudo comparar: marque cada uno de sus extremos en dos o más fotos del reverso, tomadas desde distintas direcciones.</translation>
     </message>
     <message>
-      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede leer la carpeta; nombre una carpeta con archivos PLY.</translation>
     </message>
     <message>
-      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay ningún archivo PLY en esta carpeta; el escaneo de cada fragmento debe ser un archivo PLY.</translation>
     </message>
@@ -7904,7 +7904,7 @@
       <translation>%1: se omitieron %2 puntos lejos de todos los demás, o en 0, 0, 0; revise la exportación.</translation>
     </message>
     <message>
-      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <source>The scan has fewer than 100 points; rescan this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo tiene menos de 100 puntos; escanee otra vez este lado.</translation>
     </message>
@@ -7914,7 +7914,7 @@
       <translation>El escaneo no tiene normales; expórtelo con nx, ny y nz.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo está a %1 veces su longitud de 0, 0, 0, así que sus coordenadas están redondeadas; llévelo allí y expórtelo otra vez.</translation>
     </message>
@@ -7924,17 +7924,17 @@
       <translation>Ninguno de los escaneos se puede usar: %1</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <source>The median length of these scans is %1 mm; their unit seems to be %2: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estos escaneos miden %1 mm de mediana; parecen %2: %3.</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <source>The median length of these scans is %1 mm; no sherds are of that size: %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estos escaneos miden %1 mm de mediana; no hay fragmentos de ese tamaño: %2.</translation>
     </message>
     <message>
-      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <source>The median length of the fronts is %1 mm, of the backs %2 mm, so their units differ: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los anversos miden %1 mm de mediana, los reversos %2 mm, así que sus unidades difieren: %3.</translation>
     </message>
@@ -7969,22 +7969,22 @@
       <translation>El fragmento %1 no tiene modelo: %2</translation>
     </message>
     <message>
-      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fragmento %1: ninguna cámara vio el %2 % de su superficie; está rellenado, en naranja en la imagen. Fotografíelo de nuevo si importa.</translation>
     </message>
     <message>
-      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fragmento %1: su modelo tiene un agujero que lo atraviesa (%2 mm²). Si el fragmento no tiene ninguno, las fotografías no muestran ese lugar; fotografíelo de nuevo.</translation>
     </message>
     <message>
-      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nombra %1, que no está en la tanda; borre este archivo y las cámaras se hallarán de nuevo.</translation>
     </message>
     <message>
-      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <source>This photograph has no mask; provide one for each photograph to be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta foto no tiene máscara; dé una para cada foto que se vaya a usar.</translation>
     </message>
@@ -7994,12 +7994,12 @@
       <translation>Esta foto no se usa.</translation>
     </message>
     <message>
-      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 fotos del anverso no recibieron pose de COLMAP y se omiten.</translation>
     </message>
     <message>
-      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 fotos del reverso no recibieron pose de COLMAP y se omiten.</translation>
     </message>
@@ -8009,32 +8009,32 @@
       <translation>El equipo no se usó: sin plate.json las poses vienen de COLMAP.</translation>
     </message>
     <message>
-      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no hay ningún fragmento marcado en esta foto; se omite.</translation>
     </message>
     <message>
-      <source>If sherds are on it, take it again or mend its mask.</source>
+      <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si hay fragmentos en ella, tómela otra vez o corrija su máscara.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay fragmentos marcados en %1 fotos del anverso; se necesitan 3.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay fragmentos marcados en %1 fotos del reverso; se necesitan 3.</translation>
     </message>
     <message>
-      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mire las máscaras, y si había fragmentos en el plato.</translation>
     </message>
     <message>
-      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se encuentran menos de 10 puntos de las fracturas; parta de una posición mejor.</translation>
     </message>
@@ -8049,7 +8049,7 @@
       <translation>El escaneo no tiene normales; expórtelo con normales.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
+      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su borde.</translation>
     </message>
@@ -8644,22 +8644,22 @@
       <translation>%1 terminó con un error; sus mensajes están en este archivo.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una migaja de %1 mm en x %2, y %3 mm se dejó aparte; si es un fragmento, fotografíelo solo.</translation>
     </message>
     <message>
-      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Algo plano en x %1, y %2 mm se dejó aparte; puede ser una marca o suciedad en el plato.</translation>
     </message>
     <message>
-      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dos fragmentos se tocan en x %1, y %2 mm y se separaron ahí; deje un dedo de separación entre fragmentos.</translation>
     </message>
     <message>
-      <source>The cloud of the plate has no normals.</source>
+      <source>The plate&apos;s point cloud has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La nube de puntos del plato no tiene normales.</translation>
     </message>
@@ -8674,42 +8674,42 @@
       <translation>No se encontró ningún fragmento en el reverso; revise sus máscaras y fotos.</translation>
     </message>
     <message>
-      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este colmap se compiló sin CUDA, que su estéreo denso necesita; instale uno con CUDA, o use --dense builtin, que no necesita nada.</translation>
     </message>
     <message>
-      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las máscaras de las vistas no tienen un objeto común; revise máscaras, cámaras y límites.</translation>
     </message>
     <message>
-      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>InterfaceCOLMAP no dejó ninguna escena; sus mensajes están en este archivo.</translation>
     </message>
     <message>
-      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La profundidad necesita al menos 3 fotos con cámaras conocidas.</translation>
     </message>
     <message>
-      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La foto o su máscara tiene otro tamaño que el de su cámara; dé la foto con la que se calibró la cámara.</translation>
     </message>
     <message>
-      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La foto tiene otro tamaño que el de su cámara; dé la foto con la que se calibró la cámara.</translation>
     </message>
     <message>
-      <source>The mask has another size than its photograph.</source>
+      <source>The mask and its photograph differ in size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La máscara tiene otro tamaño que su foto.</translation>
     </message>
     <message>
-      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 no encontró puntos del objeto; sus mensajes están en este archivo, y --dense builtin no necesita otro programa.</translation>
     </message>
@@ -8719,12 +8719,12 @@
       <translation>%1 escribió puntos sin normales; instale una versión más nueva, o use --dense builtin.</translation>
     </message>
     <message>
-      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El programa %1 no está en el PATH, pero --dense %2 lo necesita; instálelo, o use --dense builtin, que no necesita nada.</translation>
     </message>
     <message>
-      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se encontró ningún punto de la superficie en que coincidan dos vistas; revise cámaras y máscaras.</translation>
     </message>
@@ -8734,7 +8734,7 @@
       <translation>No se pudo codificar la imagen.</translation>
     </message>
     <message>
-      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los %1 fragmentos no caben en el plato; pida menos, u otra semilla.</translation>
     </message>
@@ -8754,7 +8754,7 @@
       <translation>Los fragmentos parecidos son grupos de dos: como mucho la mitad del número de fragmentos.</translation>
     </message>
     <message>
-      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo necesita una cámara y al menos cuatro paradas; calíbrelo otra vez.</translation>
     </message>
@@ -8794,7 +8794,7 @@
       <translation>%1 está anulado y se ha omitido.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que se tomó por el labio apenas lo parece (%1 %); revise cómo está orientado el fragmento.</translation>
     </message>
@@ -8809,12 +8809,12 @@
       <translation>Ø %1 cm (95 %: de %2 a %3)</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept</source>
+      <source>%1 % of the rim preserved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 % del borde conservado</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept (%2 to %3)</source>
+      <source>%1 % of the rim preserved (%2 to %3)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 % del borde conservado (de %2 a %3)</translation>
     </message>
@@ -8844,7 +8844,7 @@
       <translation>Todavía no hay ninguna bolsa %1 en el contexto %2; escríbala en la toma o importe una tabla de contextos que la contenga.</translation>
     </message>
     <message>
-      <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
+      <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que se tomó por labio puede ser una fractura (%1 % de que sea el labio) y el diámetro erróneo; compruebe cómo está orientado el fragmento.</translation>
     </message>
@@ -8869,7 +8869,7 @@
       <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
     </message>
     <message>
-      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda no está calculada hasta el final; deje que la cola la calcule y después se podrán ver sus parejas.</translation>
     </message>
@@ -8889,7 +8889,7 @@
       <translation>El número %1 se escribió para un fragmento de %2, que aún no está calculado.</translation>
     </message>
     <message>
-      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o quítela.</translation>
     </message>
@@ -8899,77 +8899,77 @@
       <translation>Tras el signo = va un número.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
+      <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es una carpeta, no un archivo; indique un archivo.</translation>
     </message>
     <message>
-      <source>This is a pipe, not a file; name a file.</source>
+      <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es una tubería, no un archivo; indique un archivo.</translation>
     </message>
     <message>
-      <source>This is a socket, not a file; name a file.</source>
+      <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es un socket, no un archivo; indique un archivo.</translation>
     </message>
     <message>
-      <source>This is a device, not a file; name a file.</source>
+      <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es un dispositivo, no un archivo; indique un archivo.</translation>
     </message>
     <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay un enlace en el lugar del bloqueo de esta carpeta; bórrelo.</translation>
     </message>
     <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aquí no se puede crear una carpeta temporal (%1); libere espacio o asigne otra carpeta a TMPDIR.</translation>
     </message>
     <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El JSON nombra «%1» dos veces en un objeto; borre uno de los dos.</translation>
     </message>
     <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» debe ser un número entero de %2 a %3; corríjalo.</translation>
     </message>
     <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» debe ser un número de %2 a %3; corríjalo.</translation>
     </message>
     <message>
-      <source>'%1' must be a number; mend it.</source>
+      <source>&apos;%1&apos; must be a number; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» debe ser un número; corríjalo.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marca %1 del plato está reflejada: vistas desde arriba, sus esquinas van en sentido antihorario; imprima de nuevo el archivo del plato.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marca %1 del plato no es convexa; indique sus esquinas una tras otra a lo largo del borde.</translation>
     </message>
     <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las marcas %1 y %2 del plato se superponen; imprima de nuevo el archivo del plato.</translation>
     </message>
     <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las marcas del tablero deben ser menores que sus cuadrados; corrija «marker_mm» o «square_mm».</translation>
     </message>
     <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cara del PLY tiene más de %1 esquinas; expórtelo de nuevo como triángulos.</translation>
     </message>
@@ -8979,12 +8979,12 @@
       <translation>El archivo PLY tiene más de %1 de «%2»; expórtelo con menos.</translation>
     </message>
     <message>
-      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay un enlace o un archivo donde corresponde una carpeta, o un enlace donde corresponde un archivo; ponga allí los archivos mismos.</translation>
     </message>
     <message>
-      <source>There is a file of this name already; it is not overwritten.</source>
+      <source>A file of this name already exists; it is not overwritten.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un archivo con este nombre; no se sobrescribe.</translation>
     </message>
@@ -8999,32 +8999,32 @@
       <translation>El archivo histórico contiene un diario de su catálogo, cosa que ninguno de Ostraka contiene; no se ha escrito nada.</translation>
     </message>
     <message>
-      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida ya no está: se movió o se borró mientras el programa escribía en ella. Las fotografías están intactas; inicie de nuevo la misma orden.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one.</source>
+      <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta ya contiene archivos; indique una nueva o vacía.</translation>
     </message>
     <message>
-      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta es un disco propio, o aquella en la que usted está; indique una carpeta nueva dentro de ella.</translation>
     </message>
     <message>
-      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta se necesita para archivos sin terminar, pero contiene otros; muévala a otro lugar.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se dejó fuera del anverso un trozo del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se dejó fuera del reverso un trozo del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
     </message>

@@ -5134,7 +5134,7 @@
 <context>
     <name>ostraka::Error</name>
     <message>
-      <source>Stopped on request.</source>
+      <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté à la demande.</translation>
     </message>
@@ -5239,7 +5239,7 @@
       <translation>Le disque est plein ; libérez de la place et continuez les prises de vue.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and start the same command again.</source>
+      <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque est plein ; libérez de la place et relancez la même chose.</translation>
     </message>
@@ -5254,7 +5254,7 @@
       <translation>Un autre programme occupe le catalogue ; fermez-le, puis réessayez.</translation>
     </message>
     <message>
-      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
     </message>
@@ -5269,37 +5269,37 @@
       <translation>Sites et tranchées qui n’existaient pas : %1 ; vérifiez qu’aucun n’est une faute de frappe.</translation>
     </message>
     <message>
-      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les résultats de ce lot ne sont plus là ; recalculez-le, puis décidez.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : ses photos viennent d’appareils différents (%2) ; donnez à chaque appareil son propre nom, car un seul objectif est calculé pour tous ceux qui ont le même.</translation>
     </message>
     <message>
-      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : sa distance focale n’est pas la même sur toutes les photos (%2) ; un seul objectif est calculé pour toutes, fixez donc le zoom et photographiez de nouveau.</translation>
     </message>
     <message>
-      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : son ouverture n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
     </message>
     <message>
-      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its exposure time varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : son temps de pose n’est pas le même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
     </message>
     <message>
-      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its sensitivity varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : sa sensibilité n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
     </message>
     <message>
-      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its white balance varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : sa balance des blancs n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
     </message>
@@ -5334,7 +5334,7 @@
       <translation>L’image ne peut pas être décodée.</translation>
     </message>
     <message>
-      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun corps sur lequel les photos s’accordent n’a été trouvé ; vérifiez les appareils, ou donnez des masques.</translation>
     </message>
@@ -5344,17 +5344,17 @@
       <translation>Chaque photo a besoin d’une pose.</translation>
     </message>
     <message>
-      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une enveloppe demande au moins 3 photos ; photographiez l’objet de plus de côtés.</translation>
     </message>
     <message>
-      <source>The cameras do not look at a common place; check their poses.</source>
+      <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les appareils ne regardent pas un même endroit ; vérifiez leurs poses.</translation>
     </message>
     <message>
-      <source>The network needs a colour photograph of 8 bits.</source>
+      <source>The network needs an 8-bit colour photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le réseau a besoin d’une photo en couleurs de 8 bits.</translation>
     </message>
@@ -5384,7 +5384,7 @@
       <translation>Ce n’est pas l’archive d’un projet entier ; lisez-la plutôt comme un export.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’écriture est impossible ici (%1) ; choisissez un autre endroit, ou vérifiez ses droits d’accès.</translation>
     </message>
@@ -5399,12 +5399,12 @@
       <translation>Le fichier ne peut pas être ouvert (%1) ; vérifiez ses droits d’accès.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
+      <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier ordinaire ; indiquez un fichier.</translation>
     </message>
     <message>
-      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier dépasse les %1 octets qui sont lus ici ; est-ce le bon ?</translation>
     </message>
@@ -5414,7 +5414,7 @@
       <translation>Le fichier ne peut pas être lu (%1) ; copiez-le à nouveau.</translation>
     </message>
     <message>
-      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre calcul écrit ici ; attendez qu’il soit terminé, ou choisissez un autre dossier.</translation>
     </message>
@@ -5429,12 +5429,12 @@
       <translation>Le JSON est imbriqué sur plus de 64 niveaux.</translation>
     </message>
     <message>
-      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas du JSON valide (ligne %1) ; corrigez-le là, ou copiez à nouveau le fichier.</translation>
     </message>
     <message>
-      <source>The JSON holds a number that is too large; mend it.</source>
+      <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le JSON contient un nombre trop grand ; corrigez-le.</translation>
     </message>
@@ -5444,7 +5444,7 @@
       <translation>Une transformation doit être une matrice 4x4.</translation>
     </message>
     <message>
-      <source>A transform holds something not a number.</source>
+      <source>A transform contains a value that is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une transformation contient autre chose qu’un nombre.</translation>
     </message>
@@ -5454,7 +5454,7 @@
       <translation>Une transformation n’est pas rigide.</translation>
     </message>
     <message>
-      <source>There is no such folder; name the folder of a batch.</source>
+      <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’existe pas ; indiquez le dossier d’un lot.</translation>
     </message>
@@ -5469,17 +5469,17 @@
       <translation>La face arrière manque ; mettez ses photos dans le dossier '%1'.</translation>
     </message>
     <message>
-      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un lot : il n’y a ni les dossiers 'front' et 'back', ni 'top_images' et 'bottom_images' ; indiquez le dossier d’un lot.</translation>
     </message>
     <message>
-      <source>The name is not of the form %1; this photograph is left out.</source>
+      <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nom n’a pas la forme %1 ; cette photo est laissée de côté.</translation>
     </message>
     <message>
-      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une autre photo a le même appareil et le même arrêt ; celle-ci est laissée de côté.</translation>
     </message>
@@ -5489,17 +5489,17 @@
       <translation>Cette photo est laissée de côté.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il manque des photos ici : %1 et %2 autres ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il manque des photos ici : %1 ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
     </message>
     <message>
-      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nom est celui d’une photo de banc, la plupart des autres non ; cette photo est laissée de côté.</translation>
     </message>
@@ -5509,47 +5509,47 @@
       <translation>Une autre photo porte le même nom ; celle-ci est laissée de côté.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos de moins de %1 mégapixels sont laissées de côté (%2 et %3 autres) ; copiez les originaux de l’appareil au lieu des vignettes.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos de moins de %1 mégapixels sont laissées de côté (%2) ; copiez les originaux de l’appareil au lieu des vignettes.</translation>
     </message>
     <message>
-      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More would take longer and add little.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 photos sont utilisées : les plus détaillées, réparties sur la série. Davantage prend plus de temps et apporte peu.</translation>
     </message>
     <message>
-      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de photos dans ce dossier ; mettez-y les photos d’une face.</translation>
     </message>
     <message>
-      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier ne contient ni photos ni les dossiers « front » et « back » d’un lot ; indiquez un dossier avec des photos.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with the photographs of a side.</source>
+      <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’existe pas ; indiquez-en un avec les photos d’une face.</translation>
     </message>
     <message>
-      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier a été indiqué pour la face avant et la face arrière ; indiquez le dossier de chaque face.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La face avant a %1 photos utilisables, il en faut au moins %2 ; prenez-en d’autres tout autour.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La face arrière a %1 photos utilisables, il en faut au moins %2 ; prenez-en d’autres tout autour.</translation>
     </message>
@@ -5559,7 +5559,7 @@
       <translation>L’image HEIC est endommagée ; copiez-la à nouveau.</translation>
     </message>
     <message>
-      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image RAW est endommagée, ou d’un appareil inconnu ; copiez-la à nouveau, ou exportez-la en TIFF.</translation>
     </message>
@@ -5574,12 +5574,12 @@
       <translation>Aucune feuille portant au moins %1 marqueurs des dictionnaires d’OpenCV n’est lue dans ces %2 photos ; prenez des photos qui en montrent plus, ou indiquez son plate.json.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun plate.json ne décrit la feuille : %1 marqueurs de %2 de %3 mm de côté ont été trouvés dans les photos (%4 px) et servent de feuille. Mesurez la distance de deux marqueurs éloignés et comparez-la avec plate.json dans le dossier de sortie.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun plate.json ne décrit la feuille : %1 marques de %2 ont été trouvés sur les photographies (%3 px) et leur taille n’est pas connue ; le résultat n’a donc pas d’échelle. Mesurez le côté du carré noir d’une marque et indiquez-le avec --marker-mm.</translation>
     </message>
@@ -5589,27 +5589,27 @@
       <translation>Ce masque n’est pas utilisé.</translation>
     </message>
     <message>
-      <source>The mask's size is not its photograph's; it is not used.</source>
+      <source>The mask and its photograph differ in size; the mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le masque n’a pas la taille de sa photo ; il n’est pas utilisé.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image a %1 x %2 pixels, les autres de cet appareil %3 x %4 ; cette photo est laissée de côté.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La face avant a %1 photos utilisables, il en faut au moins %2 ; mettez-y des photos nommées %3.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La face arrière a %1 photos utilisables, il en faut au moins %2 ; mettez-y des photos nommées %3.</translation>
     </message>
     <message>
-      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nom n’est ni cam&lt;C&gt;_cal&lt;NN&gt;.jpg ni empty_cam&lt;C&gt;.jpg ; cette image est laissée de côté.</translation>
     </message>
@@ -5619,12 +5619,12 @@
       <translation>Cette image est laissée de côté.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <source>The image has %1 x %2 pixels, but the photographs from its camera have %3 x %4; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image a %1 x %2 pixels, les photos de son appareil %3 x %4 ; cette image est laissée de côté.</translation>
     </message>
     <message>
-      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <source>The image header states a size of %1 x %2 pixels, which cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image annonce une taille de %1 x %2 pixels, inutilisable.</translation>
     </message>
@@ -5634,7 +5634,7 @@
       <translation>L’image JPEG est endommagée ; copiez-la à nouveau.</translation>
     </message>
     <message>
-      <source>The JPEG image has no picture in it.</source>
+      <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image JPEG ne contient pas d’image.</translation>
     </message>
@@ -5644,7 +5644,7 @@
       <translation>L’image PNG est endommagée ; copiez-la à nouveau.</translation>
     </message>
     <message>
-      <source>The TIFF image has no size in it.</source>
+      <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image TIFF n’indique pas de taille.</translation>
     </message>
@@ -5654,7 +5654,7 @@
       <translation>Le fichier est vide ; copiez-le à nouveau depuis l’appareil.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
+      <source>Not a JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas une image JPEG, PNG, TIFF, HEIC ou RAW.</translation>
     </message>
@@ -5674,7 +5674,7 @@
       <translation>'ends' doit être deux listes de repères</translation>
     </message>
     <message>
-      <source>each end must be marked on two photographs at least</source>
+      <source>each end must be marked on at least two photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>chaque extrémité doit être marquée sur au moins deux photos</translation>
     </message>
@@ -5699,22 +5699,22 @@
       <translation>L’image ne peut pas être décodée ; copiez-la à nouveau.</translation>
     </message>
     <message>
-      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’unité du plateau doit être mm ; générez à nouveau le fichier du plateau.</translation>
     </message>
     <message>
-      <source>The plate names more than 1024 markers.</source>
+      <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le plateau indique plus de 1024 marques.</translation>
     </message>
     <message>
-      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il faut au plateau 'dictionary' et 'markers' avec un id et quatre coins de trois nombres chacun ; 'diameter', s’il est donné, est un nombre en mm.</translation>
     </message>
     <message>
-      <source>The plate names no marker.</source>
+      <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le plateau n’indique aucune marque.</translation>
     </message>
@@ -5724,7 +5724,7 @@
       <translation>La marque %1 du plateau n’a pas de coins valides.</translation>
     </message>
     <message>
-      <source>Marker %1 stands twice on the plate.</source>
+      <source>Marker %1 occurs twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marque %1 figure deux fois sur le plateau.</translation>
     </message>
@@ -6989,32 +6989,32 @@
       <translation>Le maillage n’a aucune face à écrire.</translation>
     </message>
     <message>
-      <source>A face of the mesh names a vertex that is not there.</source>
+      <source>A face of the mesh refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face du maillage nomme un sommet qui n’existe pas.</translation>
     </message>
     <message>
-      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier PLY ; indiquez-en un, ou exportez à nouveau la numérisation.</translation>
     </message>
     <message>
-      <source>The PLY header names no format; export it again.</source>
+      <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’en-tête PLY n’indique pas de format ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’en-tête PLY est faux à la ligne %1 : %2 ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>its format is not known</source>
+      <source>its format is unknown</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>son format n’est pas connu</translation>
     </message>
     <message>
-      <source>a count is no number</source>
+      <source>a count is not a number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>un nombre d’éléments n’est pas un nombre</translation>
     </message>
@@ -7029,22 +7029,22 @@
       <translation>une propriété est d’un type inconnu</translation>
     </message>
     <message>
-      <source>a list has no whole number as its length</source>
+      <source>the length of a list is not a whole number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la longueur d’une liste n’est pas un nombre entier</translation>
     </message>
     <message>
-      <source>a line cannot be understood</source>
+      <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>une ligne est incompréhensible</translation>
     </message>
     <message>
-      <source>The PLY header has no end; export it again.</source>
+      <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’en-tête PLY n’a pas de fin ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’en-tête PLY annonce %1 '%2', plus que n’en contient le fichier ; il est peut-être tronqué.</translation>
     </message>
@@ -7054,17 +7054,17 @@
       <translation>Le fichier PLY a deux listes de sommets ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il manque x, y ou z aux sommets du PLY ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier PLY finit trop tôt ou contient autre chose qu’un nombre ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face du PLY nomme un sommet qui n’existe pas ; exportez-le à nouveau.</translation>
     </message>
@@ -7084,37 +7084,37 @@
       <translation>Le fichier PLY n’a pas de sommets ; exportez à nouveau la numérisation.</translation>
     </message>
     <message>
-      <source>The PLY file holds more than its header claims; export it again.</source>
+      <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier PLY contient plus que n’annonce son en-tête ; exportez-le à nouveau.</translation>
     </message>
     <message>
-      <source>The PLY file holds no usable point; export the scan again.</source>
+      <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier PLY ne contient aucun point utilisable ; exportez à nouveau la numérisation.</translation>
     </message>
     <message>
-      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune partie du contour ne peut être un morceau de bord ; dessinez ce tesson comme un tesson sans bord.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui a été pris pour la lèvre n’y ressemble guère (%1 %) : aucun diamètre n’est donné ; vérifiez l’orientation du tesson.</translation>
     </message>
     <message>
-      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le bord conservé est trop court ou trop droit pour donner un diamètre ; vérifiez l’orientation du tesson.</translation>
     </message>
     <message>
-      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dessiné comme un bord, ce qui est probable (%1 %) ; vérifiez.</translation>
     </message>
     <message>
-      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est peut-être un bord (%1 %) ; si oui, indiquez-le et dessinez-le à nouveau.</translation>
     </message>
@@ -7124,12 +7124,12 @@
       <translation>L’échelle du dessin doit être comprise entre 1:20 et 5:1.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model (%1); create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dessin demande un modèle fermé (%1) ; créez-le avec 'ostraka process'.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model; create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dessin demande un modèle fermé ; créez-le avec 'ostraka process'.</translation>
     </message>
@@ -7429,37 +7429,37 @@
       <translation>Le masque a %1 x %2 pixels ; un masque de %3 x %4 pixels, la taille de sa photo, est attendu.</translation>
     </message>
     <message>
-      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les masques d’après le plateau demandent au moins 3 photos d’une face ; photographiez davantage d’arrêts.</translation>
     </message>
     <message>
-      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La photo n’a pas la taille de son appareil ; utilisez le fichier original.</translation>
     </message>
     <message>
-      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson n’a été trouvé sur le plateau ; vérifiez que les photos montrent des tessons qui se distinguent du plateau, ou donnez des masques.</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques : le plateau vide de l’appareil %1 n’a pas la taille des photos de l’appareil ; masqué sans lui</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques : le plateau vide de l’appareil %1 ne montre le plateau à aucun des arrêts ; reprenez-le au premier ; masqué sans lui</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques : le plateau vide de l’appareil %1 montre des marques que quelque chose recouvre dans %2 ; ôtez ce qui est posé dessus ; masqué sans lui</translation>
     </message>
     <message>
-      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques : une ombre que les autres photos n’ont pas tombe sur le plateau dans %1 ; gardez personnes et mains hors de la lumière, et reprenez ces photos si leurs masques semblent faux</translation>
     </message>
@@ -7469,47 +7469,47 @@
       <translation>%1 (%2 % du plateau nu)</translation>
     </message>
     <message>
-      <source>The front scan holds no points.</source>
+      <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation de la face avant ne contient aucun point.</translation>
     </message>
     <message>
-      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation de la face avant n’a pas de normales ; un modèle doit savoir où est le dehors.</translation>
     </message>
     <message>
-      <source>The back scan holds no points.</source>
+      <source>The back scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation de la face arrière ne contient aucun point.</translation>
     </message>
     <message>
-      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation de la face arrière n’a pas de normales ; un modèle doit savoir où est le dehors.</translation>
     </message>
     <message>
-      <source>The scans enclose no body; their normals may point inward.</source>
+      <source>The scans do not enclose a volume; their normals may point inward.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les numérisations n’enferment aucun volume ; leurs normales pointent peut-être vers l’intérieur.</translation>
     </message>
     <message>
-      <source>Only a closed mesh can be thinned out.</source>
+      <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seul un maillage fermé peut être allégé.</translation>
     </message>
     <message>
-      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’écart d’un maillage allégé doit être supérieur à 0 mm.</translation>
     </message>
     <message>
-      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation est trop grande pour un modèle à cet espacement ; donnez-en un plus grand.</translation>
     </message>
     <message>
-      <source>The scans hold too few points that agree with each other for a model.</source>
+      <source>The scans contain too few points that agree with each other for a model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les numérisations ont trop peu de points qui s’accordent pour faire un modèle.</translation>
     </message>
@@ -7529,7 +7529,7 @@
       <translation>Le sommet %1 n’appartient à aucune face.</translation>
     </message>
     <message>
-      <source>Vertex %1 holds two fans of faces together.</source>
+      <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le sommet %1 tient ensemble deux éventails de faces.</translation>
     </message>
@@ -7539,7 +7539,7 @@
       <translation>Le maillage n’a pas de faces.</translation>
     </message>
     <message>
-      <source>A face names a vertex that is not there.</source>
+      <source>A face refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face nomme un sommet qui n’existe pas.</translation>
     </message>
@@ -7549,7 +7549,7 @@
       <translation>Une face a deux fois le même sommet.</translation>
     </message>
     <message>
-      <source>The scan's outline does not close.</source>
+      <source>The scan&apos;s outline is not closed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contour de la numérisation ne se ferme pas.</translation>
     </message>
@@ -7564,7 +7564,7 @@
       <translation>Un contour demande au moins trois points.</translation>
     </message>
     <message>
-      <source>The evidence of a pair has no valid scans or figure.</source>
+      <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les données d’une paire n’ont pas de numérisations ou de valeur valables.</translation>
     </message>
@@ -7574,37 +7574,37 @@
       <translation>appariement : %1 reste sans partenaire : %2</translation>
     </message>
     <message>
-      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <source>No two outlines match, so the sizes of the two sides cannot be compared; provide a known length.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun contour ne ressemble à un autre, les tailles des faces ne peuvent donc pas être comparées ; donnez une longueur connue.</translation>
     </message>
     <message>
-      <source>A candidate names a scan that is not there.</source>
+      <source>A candidate refers to a scan that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un candidat nomme une numérisation qui n’existe pas.</translation>
     </message>
     <message>
-      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un tableau de candidats ; recalculez le lot, seules ses paires seront refaites.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision %1 de %2 porte sur %3, dont la face a été photographiée de nouveau depuis ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision %1 de %2 porte sur %3, qui n’est plus sur le plateau ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision %1 de %2 ne vaut pas : la décision %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
     </message>
     <message>
-      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une décision est d’un genre que ce programme ne connaît pas ; un plus récent l’a écrite.</translation>
     </message>
@@ -7614,27 +7614,27 @@
       <translation>Une paire demande une face avant et une face arrière.</translation>
     </message>
     <message>
-      <source>Nothing was named to be set aside or shot again.</source>
+      <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rien n’a été nommé à mettre de côté ou à photographier de nouveau.</translation>
     </message>
     <message>
-      <source>Pieces to be joined must be of one side.</source>
+      <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les morceaux à joindre doivent être de la même face.</translation>
     </message>
     <message>
-      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une coupe demande un morceau et une ligne d’au moins un millimètre.</translation>
     </message>
     <message>
-      <source>Nothing was named to be withdrawn.</source>
+      <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rien n’a été nommé à retirer.</translation>
     </message>
     <message>
-      <source>These decisions were written by a newer program; use that one.</source>
+      <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces décisions ont été écrites par un programme plus récent ; utilisez celui-là.</translation>
     </message>
@@ -7644,17 +7644,17 @@
       <translation>La décision %1 ne peut pas servir.</translation>
     </message>
     <message>
-      <source>Mend it, or put a copy of the file back.</source>
+      <source>Correct it, or restore a copy of the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Corrigez-la, ou remettez une copie du fichier.</translation>
     </message>
     <message>
-      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce ne sont pas des décisions de ce programme ; déplacez le fichier, ou remettez-en une copie.</translation>
     </message>
     <message>
-      <source>This decision does not hold any more.</source>
+      <source>This decision is no longer in effect.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette décision ne vaut plus.</translation>
     </message>
@@ -7664,167 +7664,167 @@
       <translation>Il n’y a pas de photo de cette face.</translation>
     </message>
     <message>
-      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <source>The outlines of these two sides cannot be overlaid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les contours de ces deux faces ne peuvent pas être superposés.</translation>
     </message>
     <message>
-      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est peut-être deux tessons qui se touchent, %2 et %3 de l’autre face : coupez-le dans la vérification, ou écartez-les et photographiez de nouveau cette face.</translation>
     </message>
     <message>
-      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas une liste de traits sur des masques ; remettez-en une plus ancienne ou supprimez-la.</translation>
     </message>
     <message>
-      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce lot n’a pas encore de masques ; laissez-le d’abord calculer.</translation>
     </message>
     <message>
-      <source>This file does not say how well the rig fitted.</source>
+      <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier ne dit pas si le banc convenait.</translation>
     </message>
     <message>
-      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette calibration est d’autres appareils que ceux qui ont photographié le lot ; calibrez le banc d’après ses propres photos.</translation>
     </message>
     <message>
-      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sans plate.json les masques ne peuvent pas être trouvés ; mettez des masques à côté des photos, ou nommez un réseau (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le résultat n’a pas d’échelle : sans plate.json aucune longueur n’est connue, et ce qui est donné en mm repose sur une taille de pixel supposée ; photographiez sur un plateau à marques, posez la mire de board.json à côté des tessons pour les deux faces, ou marquez sur les deux une longueur connue dans scale.json.</translation>
     </message>
     <message>
-      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie contient quelque chose qui n’est pas de ce programme ; choisissez-en un autre ou un vide.</translation>
     </message>
     <message>
-      <source>The output folder holds another batch; choose another folder.</source>
+      <source>The output folder contains another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie contient un autre lot ; choisissez un autre dossier.</translation>
     </message>
     <message>
-      <source>The output folder holds something else; name a new or empty folder.</source>
+      <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie contient autre chose ; nommez un dossier nouveau ou vide.</translation>
     </message>
     <message>
-      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une paire nomme une numérisation qui n’existe pas ; supprimez ce fichier et recommencez.</translation>
     </message>
     <message>
-      <source>This is no table of pairs; delete it and start again.</source>
+      <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un tableau de paires ; supprimez-le et recommencez.</translation>
     </message>
     <message>
-      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 et %2 ont été appariés à la main, mais rien ne dit comment ils sont placés l’un par rapport à l’autre ; tournez la face arrière à la main dans la vérification : %3</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la photo est floue : ses bords ont %2 pixels de large, ceux de la plus nette de l’appareil %3 ; elle est laissée de côté, reprenez-la.</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la photo est floue : ses bords ont %2 pixels de large, ceux de la plus nette de l’appareil %3 ; reprenez-la.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face avant (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
     <message>
-      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Toutes les photographies de la face arrière sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses scans sont donc grossiers. Vérifiez la mise au point et la vitesse d’obturation et photographiez ce côté à nouveau.</translation>
     </message>
     <message>
-      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Toutes les photographies de la face avant sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses scans sont donc grossiers. Vérifiez la mise au point et la vitesse d’obturation et photographiez ce côté à nouveau.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision %1 de %2 joint des morceaux qui n’existent plus ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision %1 de %2 coupe un morceau qui n’existe pas, ou à côté de lui ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le programme %1 n’est pas installé, et la stéréo choisie en a besoin ; installez-le, ou prenez la stéréo intégrée.</translation>
     </message>
     <message>
-      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos ne montrent pas de plateau à marques, le programme %1 doit donc trouver les appareils, et il n’est pas installé.</translation>
     </message>
     <message>
-      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cela demandera environ %1 Go de mémoire, et %2 Go seulement sont libres : l’ordinateur peut l’interrompre ou devenir très lent.</translation>
     </message>
     <message>
-      <source>Close other programs, or compute a draft.</source>
+      <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fermez d’autres programmes, ou calculez une ébauche.</translation>
     </message>
     <message>
-      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : cette photographie n’a pas été prise de l’endroit où se trouvait l’appareil pendant que le plateau tournait ; elle est laissée de côté.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de %3 il est ailleurs ; photographiez de nouveau cette face.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de %3 il est ailleurs ; photographiez de nouveau cette face.</translation>
     </message>
     <message>
-      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie est dans le dossier du lot, où rien n’est jamais écrit ; choisissez-en un à côté.</translation>
     </message>
     <message>
-      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos ne peuvent pas être réduites à moins de 0,3 mégapixel.</translation>
     </message>
@@ -7834,22 +7834,22 @@
       <translation>Ce réseau de segmentation n’existe pas ; les masques sont 'auto', 'given' ou un fichier ONNX.</translation>
     </message>
     <message>
-      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les faces avant ne sont pas en mm : les longueurs du résultat, dites en mm, sont dans l’unité propre des faces avant.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les paires de ce lot ne sont pas encore calculées, ou l’ont été par un programme plus ancien ; recalculez le lot : ce qui est complet est conservé.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’échelle n’est pas juste : %1, toutes les mesures seraient donc %2 % trop petites ; mesurez la règle sur le plateau et donnez à plate.json sa vraie taille avec 'ostraka plate --ruler-measured', ou imprimez de nouveau le plateau à 100 % ; si le plateau est juste, mesurez la longueur et replacez ses marques.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too large; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’échelle n’est pas juste : %1, toutes les mesures seraient donc %2 % trop grandes ; mesurez la règle sur le plateau et donnez à plate.json sa vraie taille avec 'ostraka plate --ruler-measured', ou imprimez de nouveau le plateau à 100 % ; si le plateau est juste, mesurez la longueur et replacez ses marques.</translation>
     </message>
@@ -7859,7 +7859,7 @@
       <translation>la longueur de %1 mm marquée sur la face avant mesure %2 ± %3 mm sur les photos (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longueur de %1 mm dans scale.json n’a pas pu être comparée : marquez chacune de ses extrémités sur au moins deux photos de la face avant, prises de directions différentes.</translation>
     </message>
@@ -7869,17 +7869,17 @@
       <translation>la longueur de %1 mm marquée sur la face arrière mesure %2 ± %3 mm sur les photos (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longueur de %1 mm dans scale.json n’a pas pu être comparée : marquez chacune de ses extrémités sur au moins deux photos de la face arrière, prises de directions différentes.</translation>
     </message>
     <message>
-      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier ne peut pas être lu ; nommez un dossier de fichiers PLY.</translation>
     </message>
     <message>
-      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de fichier PLY dans ce dossier ; la numérisation de chaque tesson doit être un fichier PLY.</translation>
     </message>
@@ -7904,7 +7904,7 @@
       <translation>%1 : %2 points loin de tous les autres, ou en 0, 0, 0, ont été laissés de côté ; vérifiez l’export.</translation>
     </message>
     <message>
-      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <source>The scan has fewer than 100 points; rescan this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation a moins de 100 points ; numérisez de nouveau cette face.</translation>
     </message>
@@ -7914,7 +7914,7 @@
       <translation>La numérisation n’a pas de normales ; exportez-la avec nx, ny et nz.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation est à %1 fois sa longueur de 0, 0, 0, ses coordonnées sont donc arrondies ; ramenez-la à ce point et exportez-la de nouveau.</translation>
     </message>
@@ -7924,17 +7924,17 @@
       <translation>Aucune des numérisations n’est utilisable : %1</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <source>The median length of these scans is %1 mm; their unit seems to be %2: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces numérisations sont longues de %1 mm en médiane ; cela ressemble à des %2 : %3.</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <source>The median length of these scans is %1 mm; no sherds are of that size: %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces numérisations sont longues de %1 mm en médiane ; il n’y a pas de tessons de cette taille : %2.</translation>
     </message>
     <message>
-      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <source>The median length of the fronts is %1 mm, of the backs %2 mm, so their units differ: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les faces avant sont longues de %1 mm en médiane, les faces arrière de %2 mm, leurs unités diffèrent donc : %3.</translation>
     </message>
@@ -7969,22 +7969,22 @@
       <translation>Le tesson %1 n’a pas de modèle : %2</translation>
     </message>
     <message>
-      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tesson %1 : %2 % de sa surface n’ont été vus par aucun appareil et sont comblés, en orange sur l’image ; le photographier de nouveau si cela compte.</translation>
     </message>
     <message>
-      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tesson %1 : son modèle est percé de part en part (%2 mm²). Si le tesson ne l’est pas, les photographies ne montrent pas cet endroit ; photographiez-le de nouveau.</translation>
     </message>
     <message>
-      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il nomme %1, qui n’est pas dans le lot ; supprimez ce fichier, et les appareils seront retrouvés.</translation>
     </message>
     <message>
-      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <source>This photograph has no mask; provide one for each photograph to be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette photo n’a pas de masque ; donnez-en un pour chaque photo à utiliser.</translation>
     </message>
@@ -7994,12 +7994,12 @@
       <translation>Cette photo n’est pas utilisée.</translation>
     </message>
     <message>
-      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 photos de la face avant n’ont pas reçu de pose de COLMAP et sont laissées de côté.</translation>
     </message>
     <message>
-      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 photos de la face arrière n’ont pas reçu de pose de COLMAP et sont laissées de côté.</translation>
     </message>
@@ -8009,32 +8009,32 @@
       <translation>Le banc n’a pas été utilisé : sans plate.json les poses viennent de COLMAP.</translation>
     </message>
     <message>
-      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : aucun tesson n’est marqué sur cette photo ; elle est laissée de côté.</translation>
     </message>
     <message>
-      <source>If sherds are on it, take it again or mend its mask.</source>
+      <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>S’il y a des tessons dessus, reprenez-la ou corrigez son masque.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des tessons sont marqués sur %1 photos de la face avant ; il en faut 3.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des tessons sont marqués sur %1 photos de la face arrière ; il en faut 3.</translation>
     </message>
     <message>
-      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Regardez les masques, et s’il y avait des tessons sur le plateau.</translation>
     </message>
     <message>
-      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Moins de 10 points des cassures se rencontrent ; partez d’une meilleure position.</translation>
     </message>
@@ -8049,7 +8049,7 @@
       <translation>La numérisation n’a pas de normales ; exportez-la avec des normales.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
+      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec son bord.</translation>
     </message>
@@ -8644,22 +8644,22 @@
       <translation>%1 s’est terminé par une erreur ; ses messages sont dans ce fichier.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une miette de %1 mm en x %2, y %3 mm a été laissée de côté ; si c’est un tesson, photographiez-le seul.</translation>
     </message>
     <message>
-      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Quelque chose de plat en x %1, y %2 mm a été laissé de côté ; c’est peut-être une marque ou une saleté sur le plateau.</translation>
     </message>
     <message>
-      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deux tessons se touchent en x %1, y %2 mm et y ont été séparés ; laissez un doigt d’écart entre les tessons.</translation>
     </message>
     <message>
-      <source>The cloud of the plate has no normals.</source>
+      <source>The plate&apos;s point cloud has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nuage de points du plateau n’a pas de normales.</translation>
     </message>
@@ -8674,42 +8674,42 @@
       <translation>Aucun tesson n’a été trouvé sur la face arrière ; vérifiez ses masques et ses photos.</translation>
     </message>
     <message>
-      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce colmap a été compilé sans CUDA, dont sa stéréo dense a besoin ; installez-en un avec CUDA, ou prenez --dense builtin, qui n’a besoin de rien.</translation>
     </message>
     <message>
-      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les masques des vues n’ont pas d’objet commun ; vérifiez les masques, les appareils et les limites.</translation>
     </message>
     <message>
-      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>InterfaceCOLMAP n’a pas laissé de scène ; ses messages sont dans ce fichier.</translation>
     </message>
     <message>
-      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La profondeur demande au moins 3 photos dont la pose est connue.</translation>
     </message>
     <message>
-      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La photo ou son masque a une autre taille que celle de l’appareil ; donnez la photo avec laquelle l’appareil a été calibré.</translation>
     </message>
     <message>
-      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La photo a une autre taille que celle de l’appareil ; donnez la photo avec laquelle l’appareil a été calibré.</translation>
     </message>
     <message>
-      <source>The mask has another size than its photograph.</source>
+      <source>The mask and its photograph differ in size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le masque a une autre taille que sa photo.</translation>
     </message>
     <message>
-      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n’a trouvé aucun point de l’objet ; ses messages sont dans ce fichier, et --dense builtin n’a besoin d’aucun autre programme.</translation>
     </message>
@@ -8719,12 +8719,12 @@
       <translation>%1 a écrit des points sans normales ; installez une version plus récente, ou prenez --dense builtin.</translation>
     </message>
     <message>
-      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le programme %1 n’est pas dans le PATH, mais --dense %2 en a besoin ; installez-le, ou prenez --dense builtin, qui n’a besoin de rien.</translation>
     </message>
     <message>
-      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun point de surface n’a été trouvé sur lequel deux vues s’accordent ; vérifiez les appareils et les masques.</translation>
     </message>
@@ -8734,7 +8734,7 @@
       <translation>L’image n’a pas pu être encodée.</translation>
     </message>
     <message>
-      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les %1 tessons ne tiennent pas sur le plateau ; demandez-en moins, ou une autre graine.</translation>
     </message>
@@ -8754,7 +8754,7 @@
       <translation>Les tessons semblables vont par deux : au plus la moitié du nombre de tessons.</translation>
     </message>
     <message>
-      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc demande un appareil et au moins quatre arrêts ; calibrez-le de nouveau.</translation>
     </message>
@@ -8794,7 +8794,7 @@
       <translation>%1 est annulé et a été laissé de côté.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui a été pris pour la lèvre n’y ressemble guère (%1 %) ; vérifiez l’orientation du tesson.</translation>
     </message>
@@ -8809,12 +8809,12 @@
       <translation>Ø %1 cm (95 % : %2 à %3)</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept</source>
+      <source>%1 % of the rim preserved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 % du bord conservé</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept (%2 to %3)</source>
+      <source>%1 % of the rim preserved (%2 to %3)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 % du bord conservé (%2 à %3)</translation>
     </message>
@@ -8844,7 +8844,7 @@
       <translation>Il n’y a pas encore de sac %1 dans le contexte %2 ; tapez-le à la prise de vue, ou importez une table de contextes qui le contient.</translation>
     </message>
     <message>
-      <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
+      <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui a été pris pour la lèvre peut être une cassure (%1 % que ce soit la lèvre), et le diamètre faux ; vérifiez l'orientation du tesson.</translation>
     </message>
@@ -8869,7 +8869,7 @@
       <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
     </message>
     <message>
-      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot n'est pas calculé jusqu'au bout ; laissez la file le calculer, puis ses paires pourront être examinées.</translation>
     </message>
@@ -8889,7 +8889,7 @@
       <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore calculé.</translation>
     </message>
     <message>
-      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou retirez-la.</translation>
     </message>
@@ -8899,77 +8899,77 @@
       <translation>Le signe = est suivi d&apos;un numéro.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
+      <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C'est un dossier, pas un fichier ; indiquez un fichier.</translation>
     </message>
     <message>
-      <source>This is a pipe, not a file; name a file.</source>
+      <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C'est un tube nommé, pas un fichier ; indiquez un fichier.</translation>
     </message>
     <message>
-      <source>This is a socket, not a file; name a file.</source>
+      <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C'est un socket, pas un fichier ; indiquez un fichier.</translation>
     </message>
     <message>
-      <source>This is a device, not a file; name a file.</source>
+      <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C'est un périphérique, pas un fichier ; indiquez un fichier.</translation>
     </message>
     <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un lien se trouve à la place du verrou de ce dossier ; supprimez-le.</translation>
     </message>
     <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun dossier temporaire ne peut être créé ici (%1) ; libérez de la place ou donnez un autre dossier à TMPDIR.</translation>
     </message>
     <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le JSON nomme « %1 » deux fois dans un objet ; supprimez l'un des deux.</translation>
     </message>
     <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » doit être un nombre entier de %2 à %3 ; corrigez-le.</translation>
     </message>
     <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » doit être un nombre de %2 à %3 ; corrigez-le.</translation>
     </message>
     <message>
-      <source>'%1' must be a number; mend it.</source>
+      <source>&apos;%1&apos; must be a number; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » doit être un nombre ; corrigez-le.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marque %1 du plateau est inversée : vus d'en haut, ses coins tournent dans le sens antihoraire ; imprimez de nouveau le fichier du plateau.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marque %1 du plateau n'est pas convexe ; indiquez ses coins l'un après l'autre le long du bord.</translation>
     </message>
     <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les marques %1 et %2 du plateau se chevauchent ; imprimez de nouveau le fichier du plateau.</translation>
     </message>
     <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les marques de la mire doivent être plus petites que ses carrés ; corrigez « marker_mm » ou « square_mm ».</translation>
     </message>
     <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face du PLY a plus de %1 coins ; exportez-le de nouveau en triangles.</translation>
     </message>
@@ -8979,12 +8979,12 @@
       <translation>Le fichier PLY a plus de %1 de « %2 » ; exportez-le avec moins.</translation>
     </message>
     <message>
-      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un lien ou un fichier se trouve à la place d&apos;un dossier, ou un lien à la place d&apos;un fichier ; mettez-y les fichiers eux-mêmes.</translation>
     </message>
     <message>
-      <source>There is a file of this name already; it is not overwritten.</source>
+      <source>A file of this name already exists; it is not overwritten.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fichier de ce nom existe déjà ; il n&apos;est pas écrasé.</translation>
     </message>
@@ -8999,32 +8999,32 @@
       <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
     </message>
     <message>
-      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie a disparu : il a été déplacé ou supprimé pendant que le programme y écrivait. Les photographies sont intactes ; relancer la même commande.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one.</source>
+      <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier contient déjà des fichiers ; en nommer un nouveau ou un vide.</translation>
     </message>
     <message>
-      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier est un disque à part, ou celui où vous vous trouvez ; nommer un nouveau dossier à l&apos;intérieur.</translation>
     </message>
     <message>
-      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier est nécessaire aux fichiers inachevés, mais il en contient d&apos;autres ; le déplacer.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un morceau de %1 % de la longueur du tesson habituel a été écarté de la face avant ; sans échelle, ce peut être un tesson.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un morceau de %1 % de la longueur du tesson habituel a été écarté de la face arrière ; sans échelle, ce peut être un tesson.</translation>
     </message>

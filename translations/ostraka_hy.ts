@@ -5134,7 +5134,7 @@
 <context>
     <name>ostraka::Error</name>
     <message>
-      <source>Stopped on request.</source>
+      <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցվել է ըստ ցանկության։</translation>
     </message>
@@ -5239,7 +5239,7 @@
       <translation>Սկավառակը լի է. տեղ ազատեք և շարունակեք նկարահանումը։</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and start the same command again.</source>
+      <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը լի է. տեղ ազատեք և նորից սկսեք նույնը։</translation>
     </message>
@@ -5254,7 +5254,7 @@
       <translation>Մեկ այլ ծրագիր զբաղեցրել է կատալոգը. փակեք այն և նորից փորձեք։</translation>
     </message>
     <message>
-      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
     </message>
@@ -5269,37 +5269,37 @@
       <translation>Հուշարձաններ և խրամատներ, որոնք չկային. %1. ստուգեք, որ դրանցից ոչ մեկը վրիպակ չլինի։</translation>
     </message>
     <message>
-      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակի արդյունքներն այլևս չկան. նորից հաշվարկեք այն, ապա որոշեք։</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. նրա լուսանկարները տարբեր տեսախցիկներից են (%2). յուրաքանչյուր տեսախցիկի տվեք իր անունը, քանի որ նույն անունն ունեցողների համար մեկ օբյեկտիվ է հաշվարկվում։</translation>
     </message>
     <message>
-      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. կիզակետային հեռավորությունը բոլոր լուսանկարներում նույնը չէ (%2). բոլորի համար մեկ օբյեկտիվ է հաշվարկվում, ուստի ամրացրեք խոշորացումը և նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. դիաֆրագման բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
     </message>
     <message>
-      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its exposure time varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. լուսակայման ժամանակը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
     </message>
     <message>
-      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its sensitivity varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. զգայունությունը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
     </message>
     <message>
-      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its white balance varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. սպիտակի հաշվեկշիռը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
     </message>
@@ -5334,7 +5334,7 @@
       <translation>Նկարը հնարավոր չէ ապակոդավորել։</translation>
     </message>
     <message>
-      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չգտնվեց մարմին, որի շուրջ լուսանկարները համընկնում են. ստուգեք տեսախցիկները կամ տվեք դիմակներ։</translation>
     </message>
@@ -5344,17 +5344,17 @@
       <translation>Յուրաքանչյուր լուսանկար պետք է ունենա մեկ դիրք։</translation>
     </message>
     <message>
-      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թաղանթին պետք է առնվազն 3 լուսանկար. լուսանկարեք առարկան ավելի շատ կողմերից։</translation>
     </message>
     <message>
-      <source>The cameras do not look at a common place; check their poses.</source>
+      <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկները չեն նայում ընդհանուր տեղի. ստուգեք նրանց դիրքերը։</translation>
     </message>
     <message>
-      <source>The network needs a colour photograph of 8 bits.</source>
+      <source>The network needs an 8-bit colour photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ցանցին պետք է 8 բիթանոց գունավոր լուսանկար։</translation>
     </message>
@@ -5384,7 +5384,7 @@
       <translation>Սա ամբողջ նախագծի արխիվ չէ. կարդացեք այն որպես արտահանում։</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ հնարավոր չէ գրել (%1). ընտրեք այլ տեղ կամ ստուգեք թույլտվությունները։</translation>
     </message>
@@ -5399,12 +5399,12 @@
       <translation>Ֆայլը չի բացվում (%1). ստուգեք դրա թույլտվությունները։</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
+      <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա սովորական ֆայլ չէ. նշեք ֆայլ։</translation>
     </message>
     <message>
-      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը մեծ է այստեղ կարդացվող %1 բայտից. ճի՞շտ ֆայլն է։</translation>
     </message>
@@ -5414,7 +5414,7 @@
       <translation>Ֆայլը չի կարդացվում (%1). նորից պատճենեք։</translation>
     </message>
     <message>
-      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ գրում է մեկ այլ գործարկում. սպասեք դրա ավարտին կամ ընտրեք այլ պանակ։</translation>
     </message>
@@ -5429,12 +5429,12 @@
       <translation>JSON-ն ունի 64-ից ավելի ներդրված մակարդակ։</translation>
     </message>
     <message>
-      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա ճիշտ JSON չէ (տող %1). ուղղեք այնտեղ կամ նորից պատճենեք ֆայլը։</translation>
     </message>
     <message>
-      <source>The JSON holds a number that is too large; mend it.</source>
+      <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON-ում կա չափազանց մեծ թիվ. ուղղեք այն։</translation>
     </message>
@@ -5444,7 +5444,7 @@
       <translation>Ձևափոխությունը պետք է լինի 4x4 մատրից։</translation>
     </message>
     <message>
-      <source>A transform holds something not a number.</source>
+      <source>A transform contains a value that is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձևափոխությունը պարունակում է մի բան, որը թիվ չէ։</translation>
     </message>
@@ -5454,7 +5454,7 @@
       <translation>Ձևափոխությունը կոշտ չէ։</translation>
     </message>
     <message>
-      <source>There is no such folder; name the folder of a batch.</source>
+      <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այդպիսի պանակ չկա. նշեք խմբաքանակի պանակը։</translation>
     </message>
@@ -5469,17 +5469,17 @@
       <translation>Հետևի երեսը բացակայում է. դրա լուսանկարները դրեք '%1' պանակում։</translation>
     </message>
     <message>
-      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա խմբաքանակ չէ. չունի ո՛չ 'front' և 'back', ո՛չ էլ 'top_images' և 'bottom_images' պանակները. նշեք խմբաքանակի պանակը։</translation>
     </message>
     <message>
-      <source>The name is not of the form %1; this photograph is left out.</source>
+      <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անունը %1 ձևի չէ. այս լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ այլ լուսանկար ունի նույն տեսախցիկն ու կանգառը. այս մեկը բաց է թողնվում։</translation>
     </message>
@@ -5489,17 +5489,17 @@
       <translation>Այս լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ լուսանկարներ են պակասում՝ %1 և ևս %2. միայն դրանցով երևացողը կլրացվի, ուստի նորից նկարեք, եթե կարևոր են։</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ լուսանկարներ են պակասում՝ %1. միայն դրանցով երևացողը կլրացվի, ուստի նորից նկարեք, եթե կարևոր են։</translation>
     </message>
     <message>
-      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անունը կայանքի լուսանկարի է, իսկ մյուսների մեծ մասը՝ ոչ. այս լուսանկարը բաց է թողնվում։</translation>
     </message>
@@ -5509,47 +5509,47 @@
       <translation>Մեկ այլ լուսանկար ունի նույն անունը. այս մեկը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 մեգապիքսելից փոքր լուսանկարները բաց են թողնվում (%2 և ևս %3). մանրապատկերների փոխարեն պատճենեք բնօրինակները տեսախցիկից։</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 մեգապիքսելից փոքր լուսանկարները բաց են թողնվում (%2). մանրապատկերների փոխարեն պատճենեք բնօրինակները տեսախցիկից։</translation>
     </message>
     <message>
-      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More would take longer and add little.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օգտագործվում է %1 լուսանկար %2-ից՝ ամենամանրամասները, շարքով մեկ բաշխված։ Ավելին երկար կտևի և քիչ բան կավելացնի։</translation>
     </message>
     <message>
-      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակում լուսանկարներ չկան. այնտեղ դրեք մեկ երեսի լուսանկարները։</translation>
     </message>
     <message>
-      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակում չկան ո՛չ լուսանկարներ, ո՛չ խմբաքանակի «front» և «back» պանակներ. նշեք լուսանկարներով պանակ։</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with the photographs of a side.</source>
+      <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այդպիսի պանակ չկա. նշեք մեկ երեսի լուսանկարներով պանակ։</translation>
     </message>
     <message>
-      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակը նշվել է և՛ առջևի, և՛ հետևի երեսի համար. նշեք յուրաքանչյուր երեսի պանակը։</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. բոլոր կողմերից ավելի շատ լուսանկարեք։</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. բոլոր կողմերից ավելի շատ լուսանկարեք։</translation>
     </message>
@@ -5559,7 +5559,7 @@
       <translation>HEIC պատկերը վնասված է. նորից պատճենեք։</translation>
     </message>
     <message>
-      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>RAW պատկերը վնասված է կամ անհայտ տեսախցիկից է. նորից պատճենեք կամ արտահանեք որպես TIFF։</translation>
     </message>
@@ -5574,12 +5574,12 @@
       <translation>Այս %2 լուսանկարներում չի կարդացվում OpenCV-ի բառարանների առնվազն %1 նշիչով թերթ. արեք լուսանկարներ, որոնք այն ավելի են ցույց տալիս, կամ նշեք դրա plate.json-ը։</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2-ի %1 նշիչ՝ %3 մմ կողմերով (%4 px), և ընդունվել որպես թերթ։ Չափեք իրարից հեռու երկու նշիչների հեռավորությունը և համեմատեք արդյունքների պանակի plate.json-ի հետ։</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2 բառարանի %1 նշան (%3 px), և դրանց չափը հայտնի չէ, ուստի արդյունքը մասշտաբ չունի։ Չափեք նշանի սև քառակուսու կողմը և նշեք այն --marker-mm-ով։</translation>
     </message>
@@ -5589,27 +5589,27 @@
       <translation>Այս դիմակը չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>The mask's size is not its photograph's; it is not used.</source>
+      <source>The mask and its photograph differ in size; the mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դիմակի չափը լուսանկարի չափը չէ. այն չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերն ունի %1 x %2 պիքսել, տեսախցիկի մյուսները՝ %3 x %4. այս լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. այնտեղ դրեք %3 անունով լուսանկարներ։</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. այնտեղ դրեք %3 անունով լուսանկարներ։</translation>
     </message>
     <message>
-      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անունը ո՛չ cam&lt;C&gt;_cal&lt;NN&gt;.jpg է, ո՛չ էլ empty_cam&lt;C&gt;.jpg. այս պատկերը բաց է թողնվում։</translation>
     </message>
@@ -5619,12 +5619,12 @@
       <translation>Այս պատկերը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <source>The image has %1 x %2 pixels, but the photographs from its camera have %3 x %4; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերն ունի %1 x %2 պիքսել, տեսախցիկի լուսանկարները՝ %3 x %4. այս պատկերը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <source>The image header states a size of %1 x %2 pixels, which cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը նշում է %1 x %2 պիքսել չափ, որը պիտանի չէ։</translation>
     </message>
@@ -5634,7 +5634,7 @@
       <translation>JPEG պատկերը վնասված է. նորից պատճենեք։</translation>
     </message>
     <message>
-      <source>The JPEG image has no picture in it.</source>
+      <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JPEG-ի մեջ պատկեր չկա։</translation>
     </message>
@@ -5644,7 +5644,7 @@
       <translation>PNG պատկերը վնասված է. նորից պատճենեք։</translation>
     </message>
     <message>
-      <source>The TIFF image has no size in it.</source>
+      <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>TIFF պատկերում չափ նշված չէ։</translation>
     </message>
@@ -5654,7 +5654,7 @@
       <translation>Ֆայլը դատարկ է. նորից պատճենեք տեսախցիկից։</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
+      <source>Not a JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա JPEG, PNG, TIFF, HEIC կամ RAW պատկեր չէ։</translation>
     </message>
@@ -5674,7 +5674,7 @@
       <translation>'ends'-ը պետք է լինի նշումների երկու ցուցակ</translation>
     </message>
     <message>
-      <source>each end must be marked on two photographs at least</source>
+      <source>each end must be marked on at least two photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ամեն ծայր պետք է նշված լինի առնվազն երկու լուսանկարի վրա</translation>
     </message>
@@ -5699,22 +5699,22 @@
       <translation>Պատկերը չի ապակոդավորվում. նորից պատճենեք։</translation>
     </message>
     <message>
-      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի միավորը պետք է լինի mm. նորից ստեղծեք սկավառակի ֆայլը։</translation>
     </message>
     <message>
-      <source>The plate names more than 1024 markers.</source>
+      <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը նշում է 1024-ից ավելի նշիչ։</translation>
     </message>
     <message>
-      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակին պետք են 'dictionary' և 'markers'՝ id-ով և երեքական թվով չորս անկյուններով. 'diameter'-ը, եթե տրված է, թիվ է մմ-ով։</translation>
     </message>
     <message>
-      <source>The plate names no marker.</source>
+      <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը ոչ մի նշիչ չի նշում։</translation>
     </message>
@@ -5724,7 +5724,7 @@
       <translation>Սկավառակի %1 նշիչը վավեր անկյուններ չունի։</translation>
     </message>
     <message>
-      <source>Marker %1 stands twice on the plate.</source>
+      <source>Marker %1 occurs twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 նշիչը սկավառակի վրա երկու անգամ կա։</translation>
     </message>
@@ -6989,32 +6989,32 @@
       <translation>Ցանցը գրելու նիստեր չունի։</translation>
     </message>
     <message>
-      <source>A face of the mesh names a vertex that is not there.</source>
+      <source>A face of the mesh refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ցանցի մի նիստը նշում է գոյություն չունեցող գագաթ։</translation>
     </message>
     <message>
-      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա PLY ֆայլ չէ. նշեք PLY ֆայլ կամ նորից արտահանեք սկանը։</translation>
     </message>
     <message>
-      <source>The PLY header names no format; export it again.</source>
+      <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY վերնագիրը ձևաչափ չի նշում. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY վերնագրի %1 տողը սխալ է. %2. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>its format is not known</source>
+      <source>its format is unknown</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ձևաչափն անհայտ է</translation>
     </message>
     <message>
-      <source>a count is no number</source>
+      <source>a count is not a number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>քանակը թիվ չէ</translation>
     </message>
@@ -7029,22 +7029,22 @@
       <translation>հատկության տեսակն անհայտ է</translation>
     </message>
     <message>
-      <source>a list has no whole number as its length</source>
+      <source>the length of a list is not a whole number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ցուցակի երկարությունը ամբողջ թիվ չէ</translation>
     </message>
     <message>
-      <source>a line cannot be understood</source>
+      <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տողն անհասկանալի է</translation>
     </message>
     <message>
-      <source>The PLY header has no end; export it again.</source>
+      <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY վերնագիրը վերջ չունի. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY վերնագիրը նշում է %1 '%2', ավելի, քան պարունակում է ֆայլը. այն գուցե կտրված է։</translation>
     </message>
@@ -7054,17 +7054,17 @@
       <translation>PLY ֆայլն ունի գագաթների երկու ցուցակ. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY գագաթներին պակասում է x, y կամ z. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY ֆայլը շուտ է ավարտվում կամ պարունակում է մի բան, որը թիվ չէ. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY-ի մի նիստը նշում է գոյություն չունեցող գագաթ. նորից արտահանեք։</translation>
     </message>
@@ -7084,37 +7084,37 @@
       <translation>PLY ֆայլը գագաթներ չունի. նորից արտահանեք սկանը։</translation>
     </message>
     <message>
-      <source>The PLY file holds more than its header claims; export it again.</source>
+      <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY ֆայլը պարունակում է ավելին, քան նշում է վերնագիրը. նորից արտահանեք։</translation>
     </message>
     <message>
-      <source>The PLY file holds no usable point; export the scan again.</source>
+      <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY ֆայլում ոչ մի պիտանի կետ չկա. նորից արտահանեք սկանը։</translation>
     </message>
     <message>
-      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եզրի ոչ մի հատված շուրթի մաս չի կարող լինել. այս բեկորը գծեք որպես առանց շուրթի բեկոր։</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն, ինչ ընդունվել է որպես շուրթ, հազիվ է նման դրան (%1 %), ուստի տրամագիծ չի նշվում. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
     <message>
-      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Շուրթի կտորը տրամագծի համար չափազանց կարճ է կամ չափազանց ուղիղ. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
     <message>
-      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծված է որպես շուրթ, ինչը հավանական է (%1 %). ստուգեք։</translation>
     </message>
     <message>
-      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կարող է շուրթ լինել (%1 %). եթե այդպես է, նշեք դա և նորից գծեք։</translation>
     </message>
@@ -7124,12 +7124,12 @@
       <translation>Գծանկարի մասշտաբը պետք է լինի 1:20-ից 5:1։</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model (%1); create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարին պետք է փակ մոդել (%1). ստեղծեք այն 'ostraka process'-ով։</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model; create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարին պետք է փակ մոդել. ստեղծեք այն 'ostraka process'-ով։</translation>
     </message>
@@ -7429,37 +7429,37 @@
       <translation>Դիմակն ունի %1 x %2 պիքսել. սպասվում է %3 x %4 պիքսել դիմակ՝ լուսանկարի չափով։</translation>
     </message>
     <message>
-      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակով դիմակների համար պետք է երեսի առնվազն 3 լուսանկար. նկարեք ավելի շատ կանգառներ։</translation>
     </message>
     <message>
-      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարը տեսախցիկի չափը չունի. օգտագործեք սկզբնական ֆայլը։</translation>
     </message>
     <message>
-      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի վրա բեկոր չգտնվեց. ստուգեք, որ լուսանկարներում երևում են սկավառակից տարբերվող բեկորներ, կամ տվեք դիմակներ։</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը տեսախցիկի լուսանկարների չափը չունի. դիմակներն արվել են առանց դրա</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը սկավառակը կանգառներից ոչ մեկում չի ցուցադրում. նորից նկարեք առաջին կանգառում. դիմակներն արվել են առանց դրա</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակը ցույց է տալիս նշիչներ, որոնք %2-ում ծածկված են. հանեք դրանց վրա դրվածը. դիմակներն արվել են առանց դրա</translation>
     </message>
     <message>
-      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներ. %1-ում սկավառակի վրա կա ստվեր, որը մյուս լուսանկարներում չկա. մարդիկ ու ձեռքերը լույսի առջև չլինեն. եթե դիմակները սխալ են թվում, այս լուսանկարները նորից արեք</translation>
     </message>
@@ -7469,47 +7469,47 @@
       <translation>%1 (բաց սկավառակի %2 %)</translation>
     </message>
     <message>
-      <source>The front scan holds no points.</source>
+      <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի սկանում կետեր չկան։</translation>
     </message>
     <message>
-      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի սկանը նորմալներ չունի. մոդելին պետք է իմանալ, թե որն է դրսի կողմը։</translation>
     </message>
     <message>
-      <source>The back scan holds no points.</source>
+      <source>The back scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի սկանում կետեր չկան։</translation>
     </message>
     <message>
-      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի սկանը նորմալներ չունի. մոդելին պետք է իմանալ, թե որն է դրսի կողմը։</translation>
     </message>
     <message>
-      <source>The scans enclose no body; their normals may point inward.</source>
+      <source>The scans do not enclose a volume; their normals may point inward.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանները մարմին չեն պարփակում. գուցե դրանց նորմալներն ուղղված են ներս։</translation>
     </message>
     <message>
-      <source>Only a closed mesh can be thinned out.</source>
+      <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միայն փակ ցանցը կարելի է նոսրացնել։</translation>
     </message>
     <message>
-      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոսրացված ցանցի շեղումը պետք է մեծ լինի 0 մմ-ից։</translation>
     </message>
     <message>
-      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանը չափազանց մեծ է կետերի այս հեռավորությամբ մոդելի համար. տվեք ավելի մեծը։</translation>
     </message>
     <message>
-      <source>The scans hold too few points that agree with each other for a model.</source>
+      <source>The scans contain too few points that agree with each other for a model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկաններում մոդելի համար շատ քիչ են իրար համապատասխանող կետերը։</translation>
     </message>
@@ -7529,7 +7529,7 @@
       <translation>%1 գագաթը ոչ մի նիստի չի պատկանում։</translation>
     </message>
     <message>
-      <source>Vertex %1 holds two fans of faces together.</source>
+      <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 գագաթն իրար է միացնում նիստերի երկու հովհար։</translation>
     </message>
@@ -7539,7 +7539,7 @@
       <translation>Ցանցը նիստեր չունի։</translation>
     </message>
     <message>
-      <source>A face names a vertex that is not there.</source>
+      <source>A face refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի նիստ նշում է գագաթ, որը չկա։</translation>
     </message>
@@ -7549,7 +7549,7 @@
       <translation>Մի նիստ երկու անգամ նույն գագաթն ունի։</translation>
     </message>
     <message>
-      <source>The scan's outline does not close.</source>
+      <source>The scan&apos;s outline is not closed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանի ուրվագիծը չի փակվում։</translation>
     </message>
@@ -7564,7 +7564,7 @@
       <translation>Ուրվագծին պետք է առնվազն երեք կետ։</translation>
     </message>
     <message>
-      <source>The evidence of a pair has no valid scans or figure.</source>
+      <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի զույգի տվյալներում չկան վավեր սկաններ կամ թիվ։</translation>
     </message>
@@ -7574,37 +7574,37 @@
       <translation>զուգավորում. %1-ը մնում է առանց զույգի. %2</translation>
     </message>
     <message>
-      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <source>No two outlines match, so the sizes of the two sides cannot be compared; provide a known length.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Իրար նման երկու ուրվագիծ չկա, ուստի երեսների չափերը համեմատել հնարավոր չէ. տվեք հայտնի երկարություն։</translation>
     </message>
     <message>
-      <source>A candidate names a scan that is not there.</source>
+      <source>A candidate refers to a scan that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի թեկնածու նշում է սկան, որը չկա։</translation>
     </message>
     <message>
-      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա թեկնածուների աղյուսակ չէ. նորից հաշվարկեք խմբաքանակը, նորից կարվեն միայն դրա զույգերը։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից նորից լուսանկարվել է. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որն այլևս սկավառակի վրա չէ. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2-ի %1 որոշումը չի գործում. %4-ի %3 որոշումը, որն ավելի ուշ է, նույն սկանի մասին է. դրանցից մեկը հետ վերցրեք։</translation>
     </message>
     <message>
-      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի որոշում այն տեսակի է, որն այս ծրագիրը չգիտի. այն գրել է ավելի նորը։</translation>
     </message>
@@ -7614,27 +7614,27 @@
       <translation>Զույգին պետք են մեկ առջևի և մեկ հետևի երես։</translation>
     </message>
     <message>
-      <source>Nothing was named to be set aside or shot again.</source>
+      <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ չի նշվել՝ մի կողմ դնելու կամ կրկին նկարելու համար։</translation>
     </message>
     <message>
-      <source>Pieces to be joined must be of one side.</source>
+      <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միացվող կտորները պետք է նույն երեսից լինեն։</translation>
     </message>
     <message>
-      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կտրելու համար պետք են մեկ կտոր և առնվազն մեկ միլիմետր գիծ։</translation>
     </message>
     <message>
-      <source>Nothing was named to be withdrawn.</source>
+      <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ չի նշվել հետ վերցնելու համար։</translation>
     </message>
     <message>
-      <source>These decisions were written by a newer program; use that one.</source>
+      <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս որոշումները գրել է ավելի նոր ծրագիր. օգտագործեք այն։</translation>
     </message>
@@ -7644,17 +7644,17 @@
       <translation>%1 որոշումը հնարավոր չէ օգտագործել։</translation>
     </message>
     <message>
-      <source>Mend it, or put a copy of the file back.</source>
+      <source>Correct it, or restore a copy of the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ուղղեք այն կամ ետ դրեք ֆայլի պատճենը։</translation>
     </message>
     <message>
-      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սրանք այս ծրագրի որոշումներ չեն. հեռացրեք ֆայլը կամ ետ դրեք դրա պատճենը։</translation>
     </message>
     <message>
-      <source>This decision does not hold any more.</source>
+      <source>This decision is no longer in effect.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս որոշումն այլևս չի գործում։</translation>
     </message>
@@ -7664,167 +7664,167 @@
       <translation>Այս երեսի լուսանկար չկա։</translation>
     </message>
     <message>
-      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <source>The outlines of these two sides cannot be overlaid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս երկու երեսների ուրվագծերն իրար վրա դնել հնարավոր չէ։</translation>
     </message>
     <message>
-      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը կարող է լինել իրար դիպչող երկու բեկոր՝ մյուս երեսի %2-ը և %3-ը. կտրեք այն ստուգման մեջ կամ հեռացրեք դրանք իրարից և նորից լուսանկարեք այդ երեսը։</translation>
     </message>
     <message>
-      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա դիմակների վրայի վրձնահարվածների ցանկ չէ. ետ դրեք նախորդը կամ հեռացրեք այն։</translation>
     </message>
     <message>
-      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակը դեռ դիմակներ չունի. նախ թողեք, որ այն հաշվարկվի։</translation>
     </message>
     <message>
-      <source>This file does not say how well the rig fitted.</source>
+      <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը չի ասում, թե որքան էր համապատասխանում սարքակազմը։</translation>
     </message>
     <message>
-      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տրամաչափումն այլ տեսախցիկներինն է, ոչ թե նրանց, որոնցով լուսանկարվել է խմբաքանակը. տրամաչափեք սարքակազմն իր իսկ լուսանկարներով։</translation>
     </message>
     <message>
-      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առանց plate.json-ի դիմակները գտնել հնարավոր չէ. լուսանկարների կողքին դրեք դիմակներ կամ նշեք ցանց (--masks MODEL.onnx)։</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքը մասշտաբ չունի. առանց plate.json-ի ոչ մի երկարություն հայտնի չէ, և մմ-ով նշվածը հիմնված է պիքսելի ենթադրյալ չափի վրա. լուսանկարեք նշիչներով սկավառակի վրա, երկու երեսների դեպքում էլ բեկորների կողքին դրեք board.json-ի տախտակը կամ երկուսի վրա էլ scale.json-ում նշեք հայտնի երկարություն։</translation>
     </message>
     <message>
-      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքների պանակում կա մի բան, որն այս ծրագրինը չէ. ընտրեք ուրիշը կամ դատարկը։</translation>
     </message>
     <message>
-      <source>The output folder holds another batch; choose another folder.</source>
+      <source>The output folder contains another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքների պանակում այլ խմբաքանակ է. ընտրեք այլ պանակ։</translation>
     </message>
     <message>
-      <source>The output folder holds something else; name a new or empty folder.</source>
+      <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքների պանակում այլ բան կա. նշեք նոր կամ դատարկ պանակ։</translation>
     </message>
     <message>
-      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի զույգ նշում է սկան, որը չկա. ջնջեք այս ֆայլը և նորից սկսեք։</translation>
     </message>
     <message>
-      <source>This is no table of pairs; delete it and start again.</source>
+      <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա զույգերի աղյուսակ չէ. ջնջեք այն և նորից սկսեք։</translation>
     </message>
     <message>
-      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը և %2-ը զույգվել են ձեռքով, բայց ոչինչ չի ասում, թե ինչպես են դրանք դրված իրար նկատմամբ. ստուգման մեջ ձեռքով շրջեք հետևի երեսը. %3</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. լուսանկարը մշուշոտ է. դրա եզրերի լայնությունը %2 պիքսել է, տեսախցիկի ամենահստակինը՝ %3. այն բաց է թողնվում, նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. լուսանկարը մշուշոտ է. դրա եզրերի լայնությունը %2 պիքսել է, տեսախցիկի ամենահստակինը՝ %3. նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %2 նշիչներից %1-ը առջևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
     </message>
     <message>
-      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի կողմի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշանների եզրերը %1 պիքսել լայն են, ուստի դրա սկաները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և նորից լուսանկարեք այս կողմը։</translation>
     </message>
     <message>
-      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի կողմի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշանների եզրերը %1 պիքսել լայն են, ուստի դրա սկաները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և նորից լուսանկարեք այս կողմը։</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %2 նշիչներից %1-ը հետևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2-ի %1 որոշումը միացնում է կտորներ, որոնք այլևս չկան. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2-ի %1 որոշումը կտրում է կտոր, որը չկա, կամ կտրում է դրա կողքով. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ծրագիրը տեղադրված չէ, իսկ ընտրված ստերեոյին այն պետք է. տեղադրեք այն կամ օգտագործեք ներկառուցված ստերեոն։</translation>
     </message>
     <message>
-      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարներում նշիչներով սկավառակ չկա, ուստի տեսախցիկները պետք է գտնի %1 ծրագիրը, իսկ այն տեղադրված չէ։</translation>
     </message>
     <message>
-      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրա համար պետք է մոտ %1 ԳԲ հիշողություն, իսկ ազատ է միայն %2 ԳԲ. համակարգիչը կարող է կանգնեցնել այն կամ շատ դանդաղել։</translation>
     </message>
     <message>
-      <source>Close other programs, or compute a draft.</source>
+      <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փակեք այլ ծրագրեր կամ հաշվարկեք սևագիր։</translation>
     </message>
     <message>
-      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. լուսանկարված չէ այնտեղից, որտեղ կանգնած էր տեսախցիկը սկուտեղի պտտվելիս. այն չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքների պանակը խմբաքանակի պանակում է, ուր երբեք ոչինչ չի գրվում. ընտրեք մեկը դրա կողքին։</translation>
     </message>
     <message>
-      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարները հնարավոր չէ փոքրացնել 0,3 մեգապիքսելից պակաս։</translation>
     </message>
@@ -7834,22 +7834,22 @@
       <translation>Այդպիսի հատվածավորման ցանց չկա. դիմակները լինում են 'auto', 'given' կամ ONNX ֆայլ։</translation>
     </message>
     <message>
-      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսները մմ-ով չեն. արդյունքի՝ մմ կոչվող երկարություններն առջևի երեսների սեփական միավորով են։</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակի զույգերը դեռ հաշվարկված չեն կամ հաշվարկվել են ավելի հին ծրագրով. նորից հաշվարկեք խմբաքանակը. ամբողջականը պահպանվում է։</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբը ճիշտ չէ. %1, ուստի բոլոր չափերը կլինեին %2 %-ով չափազանց փոքր. չափեք սկավառակի քանոնը և 'ostraka plate --ruler-measured' հրամանով plate.json-ին տվեք իրական չափը կամ սկավառակը նորից տպեք 100 %-ով. եթե սկավառակը ճիշտ է, չափեք երկարությունը և նորից դրեք դրա նշանները։</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too large; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբը ճիշտ չէ. %1, ուստի բոլոր չափերը կլինեին %2 %-ով չափազանց մեծ. չափեք սկավառակի քանոնը և 'ostraka plate --ruler-measured' հրամանով plate.json-ին տվեք իրական չափը կամ սկավառակը նորից տպեք 100 %-ով. եթե սկավառակը ճիշտ է, չափեք երկարությունը և նորից դրեք դրա նշանները։</translation>
     </message>
@@ -7859,7 +7859,7 @@
       <translation>առջևի երեսին նշված %1 մմ երկարությունը լուսանկարներում %2 ± %3 մմ է (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>scale.json-ի %1 մմ երկարությունը հնարավոր չեղավ համեմատել. դրա ծայրերից յուրաքանչյուրը նշեք առջևի երեսի՝ տարբեր ուղղություններից արված առնվազն երկու լուսանկարում։</translation>
     </message>
@@ -7869,17 +7869,17 @@
       <translation>հետևի երեսին նշված %1 մմ երկարությունը լուսանկարներում %2 ± %3 մմ է (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>scale.json-ի %1 մմ երկարությունը հնարավոր չեղավ համեմատել. դրա ծայրերից յուրաքանչյուրը նշեք հետևի երեսի՝ տարբեր ուղղություններից արված առնվազն երկու լուսանկարում։</translation>
     </message>
     <message>
-      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակը կարդալ հնարավոր չէ. նշեք PLY ֆայլերով պանակ։</translation>
     </message>
     <message>
-      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակում PLY ֆայլ չկա. յուրաքանչյուր բեկորի սկանը պետք է լինի մեկ PLY ֆայլ։</translation>
     </message>
@@ -7904,7 +7904,7 @@
       <translation>%1. բոլոր մյուսներից հեռու կամ 0, 0, 0-ում գտնվող %2 կետ բաց է թողնվել. ստուգեք արտահանումը։</translation>
     </message>
     <message>
-      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <source>The scan has fewer than 100 points; rescan this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանն ունի 100-ից քիչ կետ. նորից սկանավորեք այս երեսը։</translation>
     </message>
@@ -7914,7 +7914,7 @@
       <translation>Սկանը նորմալներ չունի. արտահանեք այն nx, ny և nz-ով։</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանը 0, 0, 0-ից հեռու է իր երկարության %1-ապատիկով, ուստի դրա կոորդինատները կլորացված են. տեղափոխեք այնտեղ և նորից արտահանեք։</translation>
     </message>
@@ -7924,17 +7924,17 @@
       <translation>Սկաններից ոչ մեկը պիտանի չէ. %1</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <source>The median length of these scans is %1 mm; their unit seems to be %2: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկանների մեդիանային երկարությունը %1 մմ է. միավորը նման է՝ %2. %3։</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <source>The median length of these scans is %1 mm; no sherds are of that size: %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկանների մեդիանային երկարությունը %1 մմ է. այդ չափի բեկորներ չեն լինում. %2։</translation>
     </message>
     <message>
-      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <source>The median length of the fronts is %1 mm, of the backs %2 mm, so their units differ: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսների մեդիանային երկարությունը %1 մմ է, հետևի երեսներինը՝ %2 մմ, ուրեմն դրանց միավորները տարբեր են. %3։</translation>
     </message>
@@ -7969,22 +7969,22 @@
       <translation>%1 բեկորը մոդել չունի. %2</translation>
     </message>
     <message>
-      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, կրկին լուսանկարեք։</translation>
     </message>
     <message>
-      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկոր %1. դրա մոդելն ունի միջանցիկ անցք (%2 մմ²)։ Եթե բեկորն անցք չունի, լուսանկարները չեն ցույց տալիս այդ տեղը. կրկին լուսանկարեք այն։</translation>
     </message>
     <message>
-      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն նշում է %1-ը, որը խմբաքանակում չկա. ջնջեք այս ֆայլը, և տեսախցիկները նորից կգտնվեն։</translation>
     </message>
     <message>
-      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <source>This photograph has no mask; provide one for each photograph to be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարը դիմակ չունի. տվեք մեկը յուրաքանչյուրի համար, որը պետք է օգտագործվի։</translation>
     </message>
@@ -7994,12 +7994,12 @@
       <translation>Այս լուսանկարը չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի %1 լուսանկար COLMAP-ից դիրք չի ստացել և բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի %1 լուսանկար COLMAP-ից դիրք չի ստացել և բաց է թողնվում։</translation>
     </message>
@@ -8009,32 +8009,32 @@
       <translation>Սարքակազմը չի օգտագործվել. առանց plate.json-ի դիրքերը տալիս է COLMAP-ը։</translation>
     </message>
     <message>
-      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. այս լուսանկարի վրա ոչ մի բեկոր նշված չէ. այն բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>If sherds are on it, take it again or mend its mask.</source>
+      <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եթե դրա վրա բեկորներ կան, նորից լուսանկարեք կամ ուղղեք դիմակը։</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորներ նշված են առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորներ նշված են հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
     </message>
     <message>
-      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նայեք դիմակներին, և թե սկավառակի վրա բեկորներ կայի՞ն։</translation>
     </message>
     <message>
-      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոտրվածքների 10-ից քիչ կետ է հանդիպում. սկսեք ավելի լավ դիրքից։</translation>
     </message>
@@ -8049,7 +8049,7 @@
       <translation>Սկանը նորմալներ չունի. արտահանեք այն նորմալներով։</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
+      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր եզրով։</translation>
     </message>
@@ -8644,22 +8644,22 @@
       <translation>%1-ն ավարտվեց սխալով. դրա հաղորդագրություններն այս ֆայլում են։</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 մմ փշուրը x %2, y %3 մմ տեղում մի կողմ է թողնվել. եթե բեկոր է, լուսանկարեք այն առանձին։</translation>
     </message>
     <message>
-      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ինչ-որ հարթ բան x %1, y %2 մմ տեղում մի կողմ է թողնվել. կարող է լինել նշիչ կամ կեղտ սկավառակի վրա։</translation>
     </message>
     <message>
-      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկու բեկոր դիպչում են իրար x %1, y %2 մմ տեղում և այնտեղ բաժանվել են. բեկորների միջև թողեք մեկ մատ հեռավորություն։</translation>
     </message>
     <message>
-      <source>The cloud of the plate has no normals.</source>
+      <source>The plate&apos;s point cloud has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի կետերի ամպը նորմալներ չունի։</translation>
     </message>
@@ -8674,42 +8674,42 @@
       <translation>Հետևի երեսին ոչ մի բեկոր չգտնվեց. ստուգեք դրա դիմակներն ու լուսանկարները։</translation>
     </message>
     <message>
-      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս colmap-ը կառուցված է առանց CUDA-ի, որը պետք է դրա խիտ ստերեոյին. տեղադրեք CUDA-ով տարբերակը կամ օգտագործեք --dense builtin, որին ոչինչ պետք չէ։</translation>
     </message>
     <message>
-      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսքերի դիմակներն ընդհանուր առարկա չունեն. ստուգեք դիմակները, տեսախցիկներն ու սահմանները։</translation>
     </message>
     <message>
-      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>InterfaceCOLMAP-ը տեսարան չթողեց. դրա հաղորդագրություններն այս ֆայլում են։</translation>
     </message>
     <message>
-      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խորության համար պետք է հայտնի տեսախցիկներով առնվազն 3 լուսանկար։</translation>
     </message>
     <message>
-      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարի կամ դրա դիմակի չափը տեսախցիկի նշածը չէ. տվեք այն լուսանկարը, որով տրամաչափվել է տեսախցիկը։</translation>
     </message>
     <message>
-      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարի չափը տեսախցիկի նշածը չէ. տվեք այն լուսանկարը, որով տրամաչափվել է տեսախցիկը։</translation>
     </message>
     <message>
-      <source>The mask has another size than its photograph.</source>
+      <source>The mask and its photograph differ in size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դիմակի չափն իր լուսանկարինը չէ։</translation>
     </message>
     <message>
-      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը առարկայի կետեր չգտավ. դրա հաղորդագրություններն այս ֆայլում են, իսկ --dense builtin-ին այլ ծրագիր պետք չէ։</translation>
     </message>
@@ -8719,12 +8719,12 @@
       <translation>%1-ը գրել է կետեր առանց նորմալների. տեղադրեք ավելի նոր տարբերակ կամ օգտագործեք --dense builtin։</translation>
     </message>
     <message>
-      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ծրագիրը PATH-ում չկա, բայց --dense %2-ին այն պետք է. տեղադրեք այն կամ օգտագործեք --dense builtin, որին ոչինչ պետք չէ։</translation>
     </message>
     <message>
-      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մակերևույթի ոչ մի կետ չգտնվեց, որի շուրջ երկու տեսք համընկնեն. ստուգեք տեսախցիկներն ու դիմակները։</translation>
     </message>
@@ -8734,7 +8734,7 @@
       <translation>Պատկերը կոդավորել չհաջողվեց։</translation>
     </message>
     <message>
-      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 բեկորները սկավառակի վրա չեն տեղավորվում. պահանջեք ավելի քիչ կամ այլ սկզբնական թիվ։</translation>
     </message>
@@ -8754,7 +8754,7 @@
       <translation>Իրար նման բեկորները զույգեր են՝ առավելագույնը բեկորների թվի կեսը։</translation>
     </message>
     <message>
-      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմին պետք են տեսախցիկ և առնվազն չորս կանգառ. նորից տրամաչափեք այն։</translation>
     </message>
@@ -8794,7 +8794,7 @@
       <translation>%1-ն անվավեր է և դուրս է թողնվել։</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն, ինչ ընդունվել է որպես շուրթ, հազիվ է նման դրան (%1 %). ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
@@ -8809,12 +8809,12 @@
       <translation>Ø %1 cm (95 %՝ %2-ից %3)</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept</source>
+      <source>%1 % of the rim preserved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>պահպանված է շուրթի %1 %-ը</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept (%2 to %3)</source>
+      <source>%1 % of the rim preserved (%2 to %3)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>պահպանված է շուրթի %1 %-ը (%2-ից %3)</translation>
     </message>
@@ -8844,7 +8844,7 @@
       <translation>%2 համատեքստում %1 տոպրակ դեռ չկա. գրեք այն նկարահանման էջում կամ ներմուծեք համատեքստերի աղյուսակ, որտեղ այն կա։</translation>
     </message>
     <message>
-      <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
+      <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն, ինչ ընդունվել է որպես շուրթ, կարող է կոտրվածք լինել (%1 %, որ շուրթն է), և տրամագիծը՝ սխալ. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
@@ -8869,7 +8869,7 @@
       <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
     </message>
     <message>
-      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակը մինչև վերջ հաշվարկված չէ. թողեք, որ հերթը հաշվարկի այն, ապա դրա զույգերը կարելի կլինի դիտել։</translation>
     </message>
@@ -8889,7 +8889,7 @@
       <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ հաշվարկված չէ։</translation>
     </message>
     <message>
-      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախորդ գծանկարի թերթ արդեն կա և չի վերագրվում. ընտրեք այլ անուն կամ հեռացրեք այն։</translation>
     </message>
@@ -8899,77 +8899,77 @@
       <translation>= նշանից հետո համար է գրվում։</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
+      <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա պանակ է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
     </message>
     <message>
-      <source>This is a pipe, not a file; name a file.</source>
+      <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա խողովակ է (pipe), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
     </message>
     <message>
-      <source>This is a socket, not a file; name a file.</source>
+      <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա վարդակ է (socket), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
     </message>
     <message>
-      <source>This is a device, not a file; name a file.</source>
+      <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա սարք է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
     </message>
     <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակի կողպեքի տեղում հղում է. ջնջեք այն։</translation>
     </message>
     <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ ժամանակավոր պանակ չի ստեղծվում (%1). տեղ ազատեք կամ TMPDIR-ում այլ պանակ նշեք։</translation>
     </message>
     <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON-ը մեկ օբյեկտում երկու անգամ նշում է «%1». ջնջեք երկուսից մեկը։</translation>
     </message>
     <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը պետք է լինի ամբողջ թիվ՝ %2-ից %3. ուղղեք։</translation>
     </message>
     <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը պետք է լինի թիվ՝ %2-ից %3. ուղղեք։</translation>
     </message>
     <message>
-      <source>'%1' must be a number; mend it.</source>
+      <source>&apos;%1&apos; must be a number; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը պետք է թիվ լինի. ուղղեք։</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %1 նշիչը հայելային է. վերևից նայելիս անկյունները գնում են ժամսլաքին հակառակ. սկավառակի ֆայլը նորից տպեք։</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %1 նշիչը ուռուցիկ չէ. անկյունները նշեք հերթով՝ եզրի երկայնքով։</translation>
     </message>
     <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %1 և %2 նշիչները վերադրվում են. սկավառակի ֆայլը նորից տպեք։</translation>
     </message>
     <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափման տախտակի նշիչները պետք է փոքր լինեն քառակուսիներից. ուղղեք «marker_mm»-ը կամ «square_mm»-ը։</translation>
     </message>
     <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY-ի մի նիստ ունի %1-ից ավելի անկյուն. նորից արտահանեք եռանկյուններով։</translation>
     </message>
@@ -8979,12 +8979,12 @@
       <translation>PLY ֆայլում «%2»-ից %1-ից ավելին կա. արտահանեք ավելի քչով։</translation>
     </message>
     <message>
-      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակի տեղում հղում կամ ֆայլ է, կամ ֆայլի տեղում՝ հղում. այնտեղ դրեք հենց ֆայլերը։</translation>
     </message>
     <message>
-      <source>There is a file of this name already; it is not overwritten.</source>
+      <source>A file of this name already exists; it is not overwritten.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով ֆայլ արդեն կա. այն չի վերագրվում։</translation>
     </message>
@@ -8999,32 +8999,32 @@
       <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
     </message>
     <message>
-      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքի պանակն այլևս չկա. այն տեղափոխվել կամ ջնջվել է, երբ ծրագիրը գրում էր այնտեղ։ Լուսանկարներն անվնաս են. նորից սկսեք նույն հրամանը։</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one.</source>
+      <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակում արդեն ֆայլեր կան. նշեք նոր կամ դատարկ պանակ։</translation>
     </message>
     <message>
-      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակն առանձին սկավառակ է կամ այն պանակը, որում գտնվում եք. նշեք նոր պանակ դրա մեջ։</translation>
     </message>
     <message>
-      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակն անհրաժեշտ է անավարտ ֆայլերի համար, բայց պարունակում է ուրիշները. տեղափոխեք այն։</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի կողմում բաց է թողնվել մի կտոր՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի կողմում բաց է թողնվել մի կտոր՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
     </message>

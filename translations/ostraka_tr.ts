@@ -5086,7 +5086,7 @@
 <context>
     <name>ostraka::Error</name>
     <message>
-      <source>Stopped on request.</source>
+      <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İstek üzerine durduruldu.</translation>
     </message>
@@ -5191,7 +5191,7 @@
       <translation>Disk dolu; yer açın ve çekime devam edin.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and start the same command again.</source>
+      <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk dolu; yer açın ve aynı işi yeniden başlatın.</translation>
     </message>
@@ -5206,7 +5206,7 @@
       <translation>Başka bir program kataloğu meşgul ediyor; onu kapatın, sonra yeniden deneyin.</translation>
     </message>
     <message>
-      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
     </message>
@@ -5221,37 +5221,37 @@
       <translation>Henüz olmayan alanlar ve açmalar: %1; hiçbirinin yazım hatası olmadığına bakın.</translation>
     </message>
     <message>
-      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partinin sonuçları artık yok; yeniden hesaplayın, sonra karar verin.</translation>
     </message>
     <message>
-      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: fotoğrafları farklı kameralardan geliyor (%2); her kameraya kendi adını verin, çünkü aynı adı taşıyanların hepsi için tek bir mercek hesaplanır.</translation>
     </message>
     <message>
-      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı bütün fotoğraflarda aynı değil (%2); hepsi için tek bir mercek hesaplanır, bu yüzden zumu sabitleyip yeniden çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: diyafram açıklığı bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
     </message>
     <message>
-      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its exposure time varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: poz süresi bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
     </message>
     <message>
-      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its sensitivity varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: duyarlılığı bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
     </message>
     <message>
-      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <source>Camera %1: its white balance varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: beyaz dengesi bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
     </message>
@@ -5286,7 +5286,7 @@
       <translation>Resmin kodu çözülemiyor.</translation>
     </message>
     <message>
-      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafların uyuştuğu bir cisim bulunamadı; kameraları denetleyin ya da maske verin.</translation>
     </message>
@@ -5296,17 +5296,17 @@
       <translation>Her fotoğrafa bir duruş gerekir.</translation>
     </message>
     <message>
-      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir dış zarf için en az 3 fotoğraf gerekir; parçayı daha çok yönden çekin.</translation>
     </message>
     <message>
-      <source>The cameras do not look at a common place; check their poses.</source>
+      <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kameralar ortak bir yere bakmıyor; duruşlarını denetleyin.</translation>
     </message>
     <message>
-      <source>The network needs a colour photograph of 8 bits.</source>
+      <source>The network needs an 8-bit colour photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağ için 8 bitlik renkli bir fotoğraf gerekir.</translation>
     </message>
@@ -5336,7 +5336,7 @@
       <translation>Bu, bütün bir projenin arşivi değil; bunun yerine dışa aktarım olarak okuyun.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buraya yazılamıyor (%1); başka bir yer seçin ya da izinlerini denetleyin.</translation>
     </message>
@@ -5351,12 +5351,12 @@
       <translation>Dosya açılamıyor (%1); izinlerini denetleyin.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
+      <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu olağan bir dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
-      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya burada okunan %1 bayttan büyük; doğru dosya mı?</translation>
     </message>
@@ -5366,7 +5366,7 @@
       <translation>Dosya okunamıyor (%1); yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buraya başka bir işlem yazıyor; bitmesini bekleyin ya da başka bir klasör seçin.</translation>
     </message>
@@ -5381,12 +5381,12 @@
       <translation>JSON 64 düzeyden daha derin iç içe.</translation>
     </message>
     <message>
-      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu geçerli JSON değil (satır %1); orada düzeltin ya da dosyayı yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The JSON holds a number that is too large; mend it.</source>
+      <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON içinde fazla büyük bir sayı var; düzeltin.</translation>
     </message>
@@ -5396,7 +5396,7 @@
       <translation>Bir dönüşüm 4x4 matris olmalı.</translation>
     </message>
     <message>
-      <source>A transform holds something not a number.</source>
+      <source>A transform contains a value that is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir dönüşümde sayı olmayan bir şey var.</translation>
     </message>
@@ -5406,7 +5406,7 @@
       <translation>Bir dönüşüm katı değil.</translation>
     </message>
     <message>
-      <source>There is no such folder; name the folder of a batch.</source>
+      <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Böyle bir klasör yok; bir partinin klasörünü belirtin.</translation>
     </message>
@@ -5421,17 +5421,17 @@
       <translation>Arka yüz eksik; fotoğraflarını '%1' klasörüne koyun.</translation>
     </message>
     <message>
-      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir parti değil: ne 'front' ve 'back' ne de 'top_images' ve 'bottom_images' klasörleri var; bir partinin klasörünü belirtin.</translation>
     </message>
     <message>
-      <source>The name is not of the form %1; this photograph is left out.</source>
+      <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ad %1 biçiminde değil; bu fotoğraf atlanıyor.</translation>
     </message>
     <message>
-      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir fotoğraf aynı kamera ve duraktan; bu atlanıyor.</translation>
     </message>
@@ -5441,17 +5441,17 @@
       <translation>Bu fotoğraf atlanıyor.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burada fotoğraf eksik: %1 ve %2 tane daha; yalnız onların gördüğü yerler doldurulacak, önemliyse yeniden çekin.</translation>
     </message>
     <message>
-      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burada fotoğraf eksik: %1; yalnız onların gördüğü yerler doldurulacak, önemliyse yeniden çekin.</translation>
     </message>
     <message>
-      <source>The name is that of a rig&apos;s photograph, but most others are not; this photograph is left out.</source>
+      <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu ad bir düzeneğin fotoğraf adı, diğerlerinin çoğu öyle değil; bu fotoğraf atlanıyor.</translation>
     </message>
@@ -5461,47 +5461,47 @@
       <translation>Başka bir fotoğrafın adı aynı; bu atlanıyor.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 megapikselden küçük fotoğraflar atlanıyor (%2 ve %3 tane daha); küçük resimler yerine kameradaki asıllarını kopyalayın.</translation>
     </message>
     <message>
-      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera in place of thumbnails.</source>
+      <source>Photographs of less than %1 megapixels are left out (%2); copy the originals from the camera instead of thumbnails.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 megapikselden küçük fotoğraflar atlanıyor (%2); küçük resimler yerine kameradaki asıllarını kopyalayın.</translation>
     </message>
     <message>
-      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More take longer and add little.</source>
+      <source>%1 of the %2 photographs are used: the most detailed ones, spread over the series. More would take longer and add little.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 / %2 fotoğraf kullanılıyor: diziye yayılmış en ayrıntılı olanlar. Daha fazlası uzun sürer, az şey katar.</translation>
     </message>
     <message>
-      <source>There are no photographs in this folder; put the photographs of one side there.</source>
+      <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasörde fotoğraf yok; bir yüzün fotoğraflarını oraya koyun.</translation>
     </message>
     <message>
-      <source>There are neither photographs in this folder nor the folders &apos;front&apos; and &apos;back&apos; of a batch; name a folder with photographs.</source>
+      <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasörde ne fotoğraf ne de bir partinin &apos;front&apos; ve &apos;back&apos; klasörleri var; fotoğraf içeren bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with the photographs of a side.</source>
+      <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Böyle bir klasör yok; bir yüzün fotoğraflarını içeren bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>This folder was named for the front and for the back; name the folder of each side.</source>
+      <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör hem ön hem arka yüz için belirtildi; her yüzün klasörünü belirtin.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; her yönden daha çok çekin.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; take more from all around.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; her yönden daha çok çekin.</translation>
     </message>
@@ -5511,7 +5511,7 @@
       <translation>HEIC resmi bozuk; yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The RAW image is damaged, or of a camera that is not known; copy it again, or export it as TIFF.</source>
+      <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>RAW resmi bozuk ya da bilinmeyen bir kameradan; yeniden kopyalayın ya da TIFF olarak dışa aktarın.</translation>
     </message>
@@ -5526,12 +5526,12 @@
       <translation>Bu %2 fotoğrafta OpenCV sözlüklerinden en az %1 işaretli bir sayfa okunmuyor; onu daha çok gösteren fotoğraflar çekin ya da plate.json dosyasını belirtin.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are taken for it. Measure the distance of two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfayı anlatan plate.json yok: fotoğraflarda kenarları %3 mm olan %1 %2 işareti bulundu (%4 px) ve sayfa sayıldı. Birbirinden uzak iki işaretin aralığını ölçüp çıktı klasöründeki plate.json ile karşılaştırın.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), and their size is not known, so the result has no scale. Measure the side of a marker&apos;s black square and say it with --marker-mm.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir plate.json sayfayı tanımlamıyor: fotoğraflarda %2 sözlüğünden %1 işaret bulundu (%3 px) ve boyutları bilinmiyor; bu yüzden sonucun ölçeği yok. Bir işaretnin siyah karesinin kenarını ölçün ve --marker-mm ile belirtin.</translation>
     </message>
@@ -5541,27 +5541,27 @@
       <translation>Bu maske kullanılmıyor.</translation>
     </message>
     <message>
-      <source>The mask's size is not its photograph's; it is not used.</source>
+      <source>The mask and its photograph differ in size; the mask is not used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maskenin boyutu fotoğrafınınki değil; kullanılmıyor.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim %1 x %2 piksel, bu kameranın ötekileri %3 x %4; bu fotoğraf atlanıyor.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; oraya %3 adlı fotoğraflar koyun.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; oraya %3 adlı fotoğraflar koyun.</translation>
     </message>
     <message>
-      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ad ne cam&lt;C&gt;_cal&lt;NN&gt;.jpg ne de empty_cam&lt;C&gt;.jpg; bu resim atlanıyor.</translation>
     </message>
@@ -5571,12 +5571,12 @@
       <translation>Bu resim atlanıyor.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <source>The image has %1 x %2 pixels, but the photographs from its camera have %3 x %4; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim %1 x %2 piksel, kamerasının fotoğrafları %3 x %4; bu resim atlanıyor.</translation>
     </message>
     <message>
-      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <source>The image header states a size of %1 x %2 pixels, which cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim %1 x %2 piksel boyut bildiriyor; bu kullanılamaz.</translation>
     </message>
@@ -5586,7 +5586,7 @@
       <translation>JPEG resmi bozuk; yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The JPEG image has no picture in it.</source>
+      <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JPEG dosyasının içinde resim yok.</translation>
     </message>
@@ -5596,7 +5596,7 @@
       <translation>PNG resmi bozuk; yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The TIFF image has no size in it.</source>
+      <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>TIFF resminde boyut yazmıyor.</translation>
     </message>
@@ -5606,7 +5606,7 @@
       <translation>Dosya boş; kameradan yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>This is no JPEG, PNG, TIFF, HEIC or RAW image.</source>
+      <source>Not a JPEG, PNG, TIFF, HEIC or RAW image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir JPEG, PNG, TIFF, HEIC ya da RAW resmi değil.</translation>
     </message>
@@ -5626,7 +5626,7 @@
       <translation>'ends' iki işaret listesi olmalı</translation>
     </message>
     <message>
-      <source>each end must be marked on two photographs at least</source>
+      <source>each end must be marked on at least two photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>her uç en az iki fotoğrafta işaretlenmiş olmalı</translation>
     </message>
@@ -5651,22 +5651,22 @@
       <translation>Resim çözülemiyor; yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın birimi mm olmalı; tablanın dosyasını yeniden oluşturun.</translation>
     </message>
     <message>
-      <source>The plate names more than 1024 markers.</source>
+      <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabla 1024’ten fazla işaret bildiriyor.</translation>
     </message>
     <message>
-      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabla için 'dictionary' ve her biri bir id ile üçer sayılık dört köşe içeren 'markers' gerekir; 'diameter' verilmişse mm cinsinden bir sayıdır.</translation>
     </message>
     <message>
-      <source>The plate names no marker.</source>
+      <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabla hiç işaret bildirmiyor.</translation>
     </message>
@@ -5676,7 +5676,7 @@
       <translation>Tablanın %1 numaralı işaretinin geçerli köşeleri yok.</translation>
     </message>
     <message>
-      <source>Marker %1 stands twice on the plate.</source>
+      <source>Marker %1 occurs twice on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numaralı işaret tablada iki kez var.</translation>
     </message>
@@ -6941,32 +6941,32 @@
       <translation>Ağın yazılacak yüzeyi yok.</translation>
     </message>
     <message>
-      <source>A face of the mesh names a vertex that is not there.</source>
+      <source>A face of the mesh refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağın bir yüzeyi olmayan bir köşeyi gösteriyor.</translation>
     </message>
     <message>
-      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir PLY dosyası değil; bir PLY belirtin ya da taramayı yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY header names no format; export it again.</source>
+      <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY başlığı biçim bildirmiyor; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY başlığının %1. satırı yanlış: %2; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>its format is not known</source>
+      <source>its format is unknown</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>biçimi bilinmiyor</translation>
     </message>
     <message>
-      <source>a count is no number</source>
+      <source>a count is not a number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir adet sayı değil</translation>
     </message>
@@ -6981,22 +6981,22 @@
       <translation>bir özelliğin türü bilinmiyor</translation>
     </message>
     <message>
-      <source>a list has no whole number as its length</source>
+      <source>the length of a list is not a whole number</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir listenin uzunluğu tam sayı değil</translation>
     </message>
     <message>
-      <source>a line cannot be understood</source>
+      <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir satır anlaşılmıyor</translation>
     </message>
     <message>
-      <source>The PLY header has no end; export it again.</source>
+      <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY başlığının sonu yok; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY başlığı %1 '%2' bildiriyor, dosyada bu kadar yok; yarım kalmış olabilir.</translation>
     </message>
@@ -7006,17 +7006,17 @@
       <translation>PLY dosyasında iki köşe listesi var; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY köşelerinde x, y ya da z eksik; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY dosyası erken bitiyor ya da sayı olmayan bir şey içeriyor; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY dosyasının bir yüzeyi olmayan bir köşeyi gösteriyor; yeniden dışa aktarın.</translation>
     </message>
@@ -7036,37 +7036,37 @@
       <translation>PLY dosyasında köşe yok; taramayı yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY file holds more than its header claims; export it again.</source>
+      <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY dosyası başlığının bildirdiğinden fazlasını içeriyor; yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The PLY file holds no usable point; export the scan again.</source>
+      <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY dosyasında kullanılabilir nokta yok; taramayı yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenarın hiçbir bölümü ağız kenarı olamaz; bu parçayı ağızsız bir parça olarak çizin.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dudak sanılan yer pek dudağa benzemiyor (%1 %), bu yüzden çap verilmiyor; parçanın nasıl durduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız parçası çap vermek için fazla kısa ya da fazla düz; parçanın nasıl durduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız olarak çizildi, bu olası (%1 %); denetleyin.</translation>
     </message>
     <message>
-      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız olabilir (%1 %); öyleyse belirtin ve yeniden çizin.</translation>
     </message>
@@ -7076,12 +7076,12 @@
       <translation>Çizimin ölçeği 1:20 ile 5:1 arasında olmalı.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model (%1); create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim için kapalı bir model gerekir (%1); 'ostraka process' ile yapın.</translation>
     </message>
     <message>
-      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <source>A drawing needs a closed model; create one with &apos;ostraka process&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim için kapalı bir model gerekir; 'ostraka process' ile yapın.</translation>
     </message>
@@ -7381,37 +7381,37 @@
       <translation>Maske %1 x %2 piksel; fotoğrafı boyutunda, %3 x %4 piksellik bir maske bekleniyor.</translation>
     </message>
     <message>
-      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabladan maske için bir yüzün en az 3 fotoğrafı gerekir; daha çok durak çekin.</translation>
     </message>
     <message>
-      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraf kamerasının boyutunda değil; özgün dosyayı kullanın.</translation>
     </message>
     <message>
-      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablada parça bulunamadı; fotoğraflarda tabladan ayrılan parçalar olduğunu denetleyin ya da maske verin.</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler: %1 kamerasının boş tablası, kameranın fotoğraflarından farklı boyutta; onsuz maskelendi</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler: %1 kamerasının boş tabla resmi tablayı hiçbir durakta göstermiyor; ilk durakta yeniden çekin; onsuz maskelendi</translation>
     </message>
     <message>
-      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler: %1 kamerasının boş tablasında görünen işaretleri %2 resminde bir şey örtüyor; üzerlerindekini kaldırın; onsuz maskelendi</translation>
     </message>
     <message>
-      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler: %1 içinde tablanın üzerine öteki fotoğraflarda olmayan bir gölge düşüyor; insanları ve elleri ışıktan uzak tutun, maskeleri yanlış görünüyorsa bunları yeniden çekin</translation>
     </message>
@@ -7421,47 +7421,47 @@
       <translation>%1 (çıplak tablanın %2 %)</translation>
     </message>
     <message>
-      <source>The front scan holds no points.</source>
+      <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüz taramasında hiç nokta yok.</translation>
     </message>
     <message>
-      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüz taramasının normalleri yok; bir model dışının neresi olduğunu bilmek ister.</translation>
     </message>
     <message>
-      <source>The back scan holds no points.</source>
+      <source>The back scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüz taramasında hiç nokta yok.</translation>
     </message>
     <message>
-      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüz taramasının normalleri yok; bir model dışının neresi olduğunu bilmek ister.</translation>
     </message>
     <message>
-      <source>The scans enclose no body; their normals may point inward.</source>
+      <source>The scans do not enclose a volume; their normals may point inward.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Taramalar bir gövde çevrelemiyor; normalleri içe bakıyor olabilir.</translation>
     </message>
     <message>
-      <source>Only a closed mesh can be thinned out.</source>
+      <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız kapalı bir ağ seyreltilebilir.</translation>
     </message>
     <message>
-      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seyreltilmiş bir ağın sapması 0 mm’den büyük olmalı.</translation>
     </message>
     <message>
-      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama bu nokta aralığında bir model için çok büyük; daha büyük bir aralık verin.</translation>
     </message>
     <message>
-      <source>The scans hold too few points that agree with each other for a model.</source>
+      <source>The scans contain too few points that agree with each other for a model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Taramalarda bir model için birbiriyle uyuşan çok az nokta var.</translation>
     </message>
@@ -7481,7 +7481,7 @@
       <translation>%1 köşesi hiçbir yüzeye ait değil.</translation>
     </message>
     <message>
-      <source>Vertex %1 holds two fans of faces together.</source>
+      <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 köşesi iki yüzey yelpazesini bir arada tutuyor.</translation>
     </message>
@@ -7491,7 +7491,7 @@
       <translation>Ağın yüzeyi yok.</translation>
     </message>
     <message>
-      <source>A face names a vertex that is not there.</source>
+      <source>A face refers to a vertex that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir yüzey, var olmayan bir köşeyi anıyor.</translation>
     </message>
@@ -7501,7 +7501,7 @@
       <translation>Bir yüzeyde aynı köşe iki kez var.</translation>
     </message>
     <message>
-      <source>The scan's outline does not close.</source>
+      <source>The scan&apos;s outline is not closed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Taramanın dış çizgisi kapanmıyor.</translation>
     </message>
@@ -7516,7 +7516,7 @@
       <translation>Bir dış çizgi en az üç nokta ister.</translation>
     </message>
     <message>
-      <source>The evidence of a pair has no valid scans or figure.</source>
+      <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir çiftin verilerinde geçerli tarama ya da sayı yok.</translation>
     </message>
@@ -7526,37 +7526,37 @@
       <translation>eşleştirme: %1 eşsiz kalıyor: %2</translation>
     </message>
     <message>
-      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <source>No two outlines match, so the sizes of the two sides cannot be compared; provide a known length.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birbirine benzeyen iki dış çizgi yok, bu yüzden yüzlerin boyutları karşılaştırılamıyor; bilinen bir uzunluk verin.</translation>
     </message>
     <message>
-      <source>A candidate names a scan that is not there.</source>
+      <source>A candidate refers to a scan that does not exist.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir aday, var olmayan bir taramayı anıyor.</translation>
     </message>
     <message>
-      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir aday tablosu değil; partiyi yeniden hesaplayın, yalnız çiftleri yeniden yapılır.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 tarafından verilen %1. karar, yüzü o zamandan beri yeniden fotoğraflanan %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 tarafından verilen %1. karar, artık tablada olmayan %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 tarafından verilen %1. karar geçerli değil: daha sonraki %3. karar (%4) aynı tarama içindir; ikisinden birini geri alın.</translation>
     </message>
     <message>
-      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir karar bu programın bilmediği türden; onu daha yeni bir program yazmış.</translation>
     </message>
@@ -7566,27 +7566,27 @@
       <translation>Bir çift, bir ön yüz ve bir arka yüz ister.</translation>
     </message>
     <message>
-      <source>Nothing was named to be set aside or shot again.</source>
+      <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenara ayrılacak ya da yeniden çekilecek bir şey verilmedi.</translation>
     </message>
     <message>
-      <source>Pieces to be joined must be of one side.</source>
+      <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birleştirilecek kırıklar aynı yüzden olmalı.</translation>
     </message>
     <message>
-      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kesim, bir kırık ve en az bir milimetrelik bir çizgi ister.</translation>
     </message>
     <message>
-      <source>Nothing was named to be withdrawn.</source>
+      <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri alınacak bir şey verilmedi.</translation>
     </message>
     <message>
-      <source>These decisions were written by a newer program; use that one.</source>
+      <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kararları daha yeni bir program yazmış; onu kullanın.</translation>
     </message>
@@ -7596,17 +7596,17 @@
       <translation>%1. karar kullanılamıyor.</translation>
     </message>
     <message>
-      <source>Mend it, or put a copy of the file back.</source>
+      <source>Correct it, or restore a copy of the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzeltin ya da dosyanın bir kopyasını geri koyun.</translation>
     </message>
     <message>
-      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bunlar bu programın kararları değil; dosyayı kaldırın ya da bir kopyasını geri koyun.</translation>
     </message>
     <message>
-      <source>This decision does not hold any more.</source>
+      <source>This decision is no longer in effect.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu karar artık geçerli değil.</translation>
     </message>
@@ -7616,167 +7616,167 @@
       <translation>Bu yüzün fotoğrafı yok.</translation>
     </message>
     <message>
-      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <source>The outlines of these two sides cannot be overlaid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu iki yüzün dış çizgileri üst üste konamıyor.</translation>
     </message>
     <message>
-      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, birbirine değen iki parça olabilir: öteki yüzün %2 ve %3 parçaları; onu incelemede kesin ya da ayırıp yüzünü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, maskelerdeki fırça izlerinin listesi değil; eskisini geri koyun ya da kaldırın.</translation>
     </message>
     <message>
-      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partinin henüz maskesi yok; önce hesaplanmasını bekleyin.</translation>
     </message>
     <message>
-      <source>This file does not say how well the rig fitted.</source>
+      <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya düzeneğin ne kadar uyduğunu söylemiyor.</translation>
     </message>
     <message>
-      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu ayar, partinin çekildiği kameralardan başka kameraların; düzeneği kendi fotoğraflarıyla ayarlayın.</translation>
     </message>
     <message>
-      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json olmadan maskeler bulunamıyor; fotoğrafların yanına maske koyun ya da bir ağ verin (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sonucun ölçeği yok: plate.json olmadan hiçbir uzunluk bilinmez, mm olarak verilenler de bir pikselin tahmin edilen boyutuna dayanır; işaretli bir tabla üzerinde fotoğraflayın, board.json dosyasındaki ayar levhasını iki yüzde de parçaların yanına koyun ya da ikisinde de scale.json içinde bilinen bir uzunluk işaretleyin.</translation>
     </message>
     <message>
-      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasöründe bu programdan olmayan bir şey var; başka ya da boş birini seçin.</translation>
     </message>
     <message>
-      <source>The output folder holds another batch; choose another folder.</source>
+      <source>The output folder contains another batch; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasöründe başka bir parti var; başka klasör seçin.</translation>
     </message>
     <message>
-      <source>The output folder holds something else; name a new or empty folder.</source>
+      <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasöründe başka bir şey var; yeni ya da boş bir klasör verin.</translation>
     </message>
     <message>
-      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir çift, var olmayan bir taramayı anıyor; bu dosyayı silin ve yeniden başlayın.</translation>
     </message>
     <message>
-      <source>This is no table of pairs; delete it and start again.</source>
+      <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir çift tablosu değil; silin ve yeniden başlayın.</translation>
     </message>
     <message>
-      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ve %2 elle eşlendi, ama birbirlerine göre nasıl durduklarını söyleyen bir şey yok; arka yüzü incelemede elle döndürün: %3</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: fotoğraf bulanık: kenarları %2 piksel geniş, kameranın en keskin fotoğrafında %3; atlanıyor, yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: fotoğraf bulanık: kenarları %2 piksel geniş, kameranın en keskin fotoğrafında %3; yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %2 işaretinden %1 tanesi ön yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
     </message>
     <message>
-      <source>All photographs of the back side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>All photographs of the front side are blurred: even in the sharpest the markers&apos; edges are %1 pixels wide, so its scans are coarse. Look at focus and shutter speed, and photograph this side again.</source>
+      <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %2 işaretinden %1 tanesi arka yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 tarafından verilen %1. karar, artık olmayan kırıkları birleştiriyor; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 tarafından verilen %1. karar, olmayan bir kırığı kesiyor ya da yanından geçiyor; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 programı kurulu değil, seçilen stereo ise onu istiyor; kurun ya da yerleşik stereoyu kullanın.</translation>
     </message>
     <message>
-      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraflarda işaretli bir tabla yok, bu yüzden kameraları %1 programı bulmalı, o da kurulu değil.</translation>
     </message>
     <message>
-      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yaklaşık %1 GB bellek ister, yalnız %2 GB boş: bilgisayar onu durdurabilir ya da çok yavaşlayabilir.</translation>
     </message>
     <message>
-      <source>Close other programs, or compute a draft.</source>
+      <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka programları kapatın ya da bir taslak hesaplayın.</translation>
     </message>
     <message>
-      <source>%1: it was not taken from where the camera stood while the plate turned; it is left out.</source>
+      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: tabla dönerken kameranın durduğu yerden çekilmemiş; kullanılmadı.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the front side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>%1 was pushed by about %2 mm on the back side: from %3 on it lies elsewhere; photograph this side again.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasörü, içine hiçbir şey yazılmayan parti klasörünün içinde; onun yanında birini seçin.</translation>
     </message>
     <message>
-      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraflar 0,3 megapikselden aza küçültülemez.</translation>
     </message>
@@ -7786,22 +7786,22 @@
       <translation>Böyle bir bölütleme ağı yok; maskeler 'auto', 'given' ya da bir ONNX dosyasıdır.</translation>
     </message>
     <message>
-      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzler mm cinsinden değil: sonucun mm diye anılan uzunlukları ön yüzlerin kendi birimindedir.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partinin çiftleri henüz hesaplanmadı ya da eski bir programla hesaplandı; partiyi yeniden hesaplayın: tamamlanmış olan korunur.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek doğru değil: %1, bu yüzden bütün ölçüler %2 % fazla küçük olurdu; tabladaki cetveli ölçün ve plate.json dosyasına gerçek boyutunu 'ostraka plate --ruler-measured' ile verin ya da tablayı 100 % olarak yeniden basın; tabla doğruysa uzunluğu ölçün ve işaretlerini yeniden koyun.</translation>
     </message>
     <message>
-      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <source>The scale is wrong: %1, so all measurements would be %2 % too large; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek doğru değil: %1, bu yüzden bütün ölçüler %2 % fazla büyük olurdu; tabladaki cetveli ölçün ve plate.json dosyasına gerçek boyutunu 'ostraka plate --ruler-measured' ile verin ya da tablayı 100 % olarak yeniden basın; tabla doğruysa uzunluğu ölçün ve işaretlerini yeniden koyun.</translation>
     </message>
@@ -7811,7 +7811,7 @@
       <translation>ön yüzde işaretlenen %1 mm uzunluk fotoğraflarda %2 ± %3 mm geliyor (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>scale.json içindeki %1 mm uzunluk karşılaştırılamadı: her ucunu ön yüzün değişik yönlerden çekilmiş en az iki fotoğrafında işaretleyin.</translation>
     </message>
@@ -7821,17 +7821,17 @@
       <translation>arka yüzde işaretlenen %1 mm uzunluk fotoğraflarda %2 ± %3 mm geliyor (%4 %)</translation>
     </message>
     <message>
-      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>scale.json içindeki %1 mm uzunluk karşılaştırılamadı: her ucunu arka yüzün değişik yönlerden çekilmiş en az iki fotoğrafında işaretleyin.</translation>
     </message>
     <message>
-      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör okunamıyor; PLY dosyaları olan bir klasör verin.</translation>
     </message>
     <message>
-      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasörde PLY dosyası yok; her parçanın taraması bir PLY dosyası olmalı.</translation>
     </message>
@@ -7856,7 +7856,7 @@
       <translation>%1: ötekilerin hepsinden uzakta ya da 0, 0, 0 yerinde olan %2 nokta atlandı; dışa aktarmayı denetleyin.</translation>
     </message>
     <message>
-      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <source>The scan has fewer than 100 points; rescan this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Taramada 100’den az nokta var; bu yüzü yeniden tarayın.</translation>
     </message>
@@ -7866,7 +7866,7 @@
       <translation>Taramanın normalleri yok; nx, ny ve nz ile dışa aktarın.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama 0, 0, 0 noktasından boyunun %1 katı uzakta, bu yüzden koordinatları yuvarlanıyor; oraya taşıyın ve yeniden dışa aktarın.</translation>
     </message>
@@ -7876,17 +7876,17 @@
       <translation>Taramaların hiçbiri kullanılamıyor: %1</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <source>The median length of these scans is %1 mm; their unit seems to be %2: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu taramaların ortanca boyu %1 mm; birim %2 gibi görünüyor: %3.</translation>
     </message>
     <message>
-      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <source>The median length of these scans is %1 mm; no sherds are of that size: %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu taramaların ortanca boyu %1 mm; bu boyda parça olmaz: %2.</translation>
     </message>
     <message>
-      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <source>The median length of the fronts is %1 mm, of the backs %2 mm, so their units differ: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzlerin ortanca boyu %1 mm, arka yüzlerinki %2 mm, demek ki birimleri farklı: %3.</translation>
     </message>
@@ -7921,22 +7921,22 @@
       <translation>%1 numaralı parçanın modeli yok: %2</translation>
     </message>
     <message>
-      <source>Sherd %1: %2 % of its surface was seen by no camera and is filled in, orange in its picture; photograph it again if that matters.</source>
+      <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parça %1: yüzeyinin %2 % kadarını hiçbir kamera görmedi; bu kısım dolduruldu, resimde turuncu. Önemliyse yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that place; photograph it again.</source>
+      <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parça %1: modelinde bir yandan öbür yana geçen bir delik var (%2 mm²). Parçada delik yoksa fotoğraflar o yeri göstermiyor; yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partide olmayan %1 dosyasını anıyor; bu dosyayı silin, kameralar yeniden bulunur.</translation>
     </message>
     <message>
-      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <source>This photograph has no mask; provide one for each photograph to be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğrafın maskesi yok; kullanılacak her biri için bir maske verin.</translation>
     </message>
@@ -7946,12 +7946,12 @@
       <translation>Bu fotoğraf kullanılmaz.</translation>
     </message>
     <message>
-      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün %1 fotoğrafı COLMAP’ten duruş almadı ve atlanıyor.</translation>
     </message>
     <message>
-      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün %1 fotoğrafı COLMAP’ten duruş almadı ve atlanıyor.</translation>
     </message>
@@ -7961,32 +7961,32 @@
       <translation>Düzenek kullanılmadı: plate.json olmadan duruşlar COLMAP’ten gelir.</translation>
     </message>
     <message>
-      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: bu fotoğrafta işaretli hiç parça yok; atlanıyor.</translation>
     </message>
     <message>
-      <source>If sherds are on it, take it again or mend its mask.</source>
+      <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Üzerinde parça varsa yeniden çekin ya da maskesini düzeltin.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün %1 fotoğrafında parça işaretli; 3 gerekir.</translation>
     </message>
     <message>
-      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün %1 fotoğrafında parça işaretli; 3 gerekir.</translation>
     </message>
     <message>
-      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maskelere ve tablada parça olup olmadığına bakın.</translation>
     </message>
     <message>
-      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kırık kenarlarının 10’dan az noktası buluşuyor; daha iyi bir konumdan başlayın.</translation>
     </message>
@@ -8001,7 +8001,7 @@
       <translation>Taramanın normalleri yok; normalleriyle dışa aktarın.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.</source>
+      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kırık kenarında 50’den az nokta var; parçayı kenarıyla birlikte yeniden tarayın.</translation>
     </message>
@@ -8596,22 +8596,22 @@
       <translation>%1 bir hatayla bitti; bildirileri bu dosyada.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm’lik bir kırıntı (x %2, y %3 mm) kenara bırakıldı; parçaysa onu tek başına çekin.</translation>
     </message>
     <message>
-      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düz bir şey (x %1, y %2 mm) kenara bırakıldı; bir işaret ya da tabladaki kir olabilir.</translation>
     </message>
     <message>
-      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki parça birbirine değiyor (x %1, y %2 mm) ve orada ayrıldı; parçalar arasında bir parmak aralık bırakın.</translation>
     </message>
     <message>
-      <source>The cloud of the plate has no normals.</source>
+      <source>The plate&apos;s point cloud has no normals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın nokta bulutunun normalleri yok.</translation>
     </message>
@@ -8626,42 +8626,42 @@
       <translation>Arka yüzde hiç parça bulunamadı; maskelerini ve fotoğraflarını denetleyin.</translation>
     </message>
     <message>
-      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu colmap, yoğun stereosunun gerektirdiği CUDA olmadan derlenmiş; CUDA’lı birini kurun ya da başka bir şey istemeyen --dense builtin kullanın.</translation>
     </message>
     <message>
-      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Görünümlerin maskelerinde ortak bir nesne yok; maskeleri, kameraları ve sınırları denetleyin.</translation>
     </message>
     <message>
-      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>InterfaceCOLMAP sahne bırakmadı; bildirileri bu dosyada.</translation>
     </message>
     <message>
-      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Derinlik için kameraları bilinen en az 3 fotoğraf gerekir.</translation>
     </message>
     <message>
-      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafın ya da maskesinin boyutu kamerasınınkinden farklı; kameranın ayarlandığı fotoğrafı verin.</translation>
     </message>
     <message>
-      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafın boyutu kamerasınınkinden farklı; kameranın ayarlandığı fotoğrafı verin.</translation>
     </message>
     <message>
-      <source>The mask has another size than its photograph.</source>
+      <source>The mask and its photograph differ in size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maskenin boyutu fotoğrafınınkinden farklı.</translation>
     </message>
     <message>
-      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 nesnenin hiç noktasını bulamadı; bildirileri bu dosyada, --dense builtin ise başka program istemez.</translation>
     </message>
@@ -8671,12 +8671,12 @@
       <translation>%1 normalleri olmayan noktalar yazdı; daha yeni bir sürüm kurun ya da --dense builtin kullanın.</translation>
     </message>
     <message>
-      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 programı PATH üzerinde yok, ama --dense %2 onu istiyor; kurun ya da başka bir şey istemeyen --dense builtin kullanın.</translation>
     </message>
     <message>
-      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki görünümün uyuştuğu hiçbir yüzey noktası bulunamadı; kameraları ve maskeleri denetleyin.</translation>
     </message>
@@ -8686,7 +8686,7 @@
       <translation>Resim kodlanamadı.</translation>
     </message>
     <message>
-      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça tablaya sığmıyor; daha az parça ya da başka bir başlangıç sayısı isteyin.</translation>
     </message>
@@ -8706,7 +8706,7 @@
       <translation>Birbirine benzeyenler ikişerli gruplardır: en çok parça sayısının yarısı kadar.</translation>
     </message>
     <message>
-      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenek bir kamera ve en az dört durak ister; yeniden ayarlayın.</translation>
     </message>
@@ -8746,7 +8746,7 @@
       <translation>%1 geçersiz olduğu için dışarıda bırakıldı.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dudak sanılan yer pek dudağa benzemiyor (%1 %); parçanın nasıl durduğunu denetleyin.</translation>
     </message>
@@ -8761,12 +8761,12 @@
       <translation>Ø %1 cm (% 95: %2 ile %3 arası)</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept</source>
+      <source>%1 % of the rim preserved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>korunan ağız kenarı % %1</translation>
     </message>
     <message>
-      <source>%1 % of the rim kept (%2 to %3)</source>
+      <source>%1 % of the rim preserved (%2 to %3)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>korunan ağız kenarı % %1 (%2 ile %3 arası)</translation>
     </message>
@@ -8796,7 +8796,7 @@
       <translation>%2 kontekstinde henüz %1 torbası yok; onu çekimde yazın ya da onu içeren bir kontekst tablosu içe aktarın.</translation>
     </message>
     <message>
-      <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
+      <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dudak sanılan yer bir kırık olabilir (dudak olma olasılığı %1 %) ve çap yanlış olabilir; parçanın nasıl durduğunu denetleyin.</translation>
     </message>
@@ -8821,7 +8821,7 @@
       <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
     </message>
     <message>
-      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti sonuna kadar hesaplanmadı; kuyruğun onu hesaplamasını bekleyin, sonra eşlerine bakılabilir.</translation>
     </message>
@@ -8841,7 +8841,7 @@
       <translation>%1 numarası, henüz hesaplanmamış %2 içindeki bir parçaya yazıldı.</translation>
     </message>
     <message>
-      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Daha önceki bir çizimin bir sayfası var ve üzerine yazılmaz; başka bir ad seçin ya da onu kaldırın.</translation>
     </message>
@@ -8851,77 +8851,77 @@
       <translation>= işaretinden sonra bir numara gelir.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
+      <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir klasör, dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
-      <source>This is a pipe, not a file; name a file.</source>
+      <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir boru, dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
-      <source>This is a socket, not a file; name a file.</source>
+      <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir soket, dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
-      <source>This is a device, not a file; name a file.</source>
+      <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir aygıt, dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasörün kilidinin yerinde bir bağlantı duruyor; onu silin.</translation>
     </message>
     <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burada geçici klasör oluşturulamıyor (%1); yer açın veya TMPDIR'i başka bir klasöre ayarlayın.</translation>
     </message>
     <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON bir nesnede '%1' adını iki kez veriyor; ikisinden birini silin.</translation>
     </message>
     <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1', %2 ile %3 arasında bir tam sayı olmalı; düzeltin.</translation>
     </message>
     <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <source>&apos;%1&apos; must be a number from %2 to %3; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1', %2 ile %3 arasında bir sayı olmalı; düzeltin.</translation>
     </message>
     <message>
-      <source>'%1' must be a number; mend it.</source>
+      <source>&apos;%1&apos; must be a number; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' bir sayı olmalı; düzeltin.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %1 numaralı işareti aynalanmış: köşeleri yukarıdan bakınca saat yönünün tersine dönüyor; tabla dosyasını yeniden yazdırın.</translation>
     </message>
     <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %1 numaralı işareti dışbükey değil; köşelerini kenar boyunca sırayla belirtin.</translation>
     </message>
     <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %1 ve %2 numaralı işaretleri üst üste geliyor; tabla dosyasını yeniden yazdırın.</translation>
     </message>
     <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayar levhasının işaretleri karelerinden küçük olmalı; 'marker_mm' veya 'square_mm' değerini düzeltin.</translation>
     </message>
     <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY'nin bir yüzünün %1'den fazla köşesi var; üçgenler olarak yeniden dışa aktarın.</translation>
     </message>
@@ -8931,12 +8931,12 @@
       <translation>PLY dosyasında %1'den fazla '%2' var; daha azıyla dışa aktarın.</translation>
     </message>
     <message>
-      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör olması gereken yerde bir bağlantı ya da dosya, ya da dosya olması gereken yerde bir bağlantı var; oraya dosyaların kendisini koyun.</translation>
     </message>
     <message>
-      <source>There is a file of this name already; it is not overwritten.</source>
+      <source>A file of this name already exists; it is not overwritten.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir dosya zaten var; üzerine yazılmaz.</translation>
     </message>
@@ -8951,32 +8951,32 @@
       <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
     </message>
     <message>
-      <source>The output folder is gone: it was moved or deleted while the program was writing into it. The photographs are untouched; start the same command again.</source>
+      <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasörü artık yok: program içine yazarken taşındı veya silindi. Fotoğraflara dokunulmadı; aynı komutu yeniden başlatın.</translation>
     </message>
     <message>
-      <source>The folder holds files already; name a new or empty one.</source>
+      <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasörde zaten dosyalar var; yeni veya boş bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>This folder is a disk of its own, or the one you are in; name a new folder in it.</source>
+      <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör ayrı bir disk ya da içinde bulunduğunuz klasör; içinde yeni bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>This folder is needed for unfinished files, but holds others; move it away.</source>
+      <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör tamamlanmamış dosyalar için gerekli, ama başka dosyalar içeriyor; onu başka yere taşıyın.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the front side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzde, olağan parçanın uzunluğunun % %1 kadarı olan bir parça dışarıda bırakıldı; ölçek olmadan bir çömlek parçası olabilir.</translation>
     </message>
     <message>
-      <source>A piece of %1 % of the usual sherd&apos;s length was left out of the back side; without a scale it may be a sherd.</source>
+      <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzde, olağan parçanın uzunluğunun % %1 kadarı olan bir parça dışarıda bırakıldı; ölçek olmadan bir çömlek parçası olabilir.</translation>
     </message>

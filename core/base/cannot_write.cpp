@@ -10,9 +10,9 @@ namespace ostraka {
 Error cannotWrite(const std::filesystem::path& path, int reason) {
   const bool full = reason == ENOSPC || reason == EDQUOT;
   return {ErrorCode::CannotWrite,
-          full ? "The disk is full; free some space and start the same command again."
-               : "This cannot be written (" + std::string(std::strerror(reason)) +
-                     "); choose another place, or check its permissions.",
+          full ? "The disk is full; free some space and try again."
+               : "The file or folder cannot be written (" + std::string(std::strerror(reason)) +
+                     "); choose another location, or check its permissions.",
           path.string()};
 }
 

@@ -60,8 +60,8 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_
   Result<InputFile> file = InputFile::open(path);
   if (!file) return file.error();
   if (file->size_bytes() > max_bytes)
-    return Error::unusable("The file is larger than the " + std::to_string(max_bytes) +
-                               " bytes that are read here; is it the right one?",
+    return Error::unusable("The file is larger than the limit of " + std::to_string(max_bytes) +
+                               " bytes; check that it is the right one.",
                            path);
   return file->read(file->size_bytes());
 }

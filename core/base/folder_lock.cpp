@@ -16,13 +16,15 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
   if (fd < 0 && errno == ELOOP)
     return Error{ErrorCode::CannotWrite,
-                 "A link stands where the lock of this folder belongs; delete it.", file.string()};
+                 "A link has taken the place of this folder's lock file; delete the link.",
+                 file.string()};
   if (fd < 0) return FolderLock(folder, -1);  // who writes there next says why it cannot
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(fd);
-    return Error{ErrorCode::CannotWrite,
-                 "Another run is writing here; wait until it has ended, or choose another folder.",
-                 folder.string()};
+    return Error{
+        ErrorCode::CannotWrite,
+        "Another run is writing to this folder; wait until it ends, or choose another folder.",
+        folder.string()};
   }
   return FolderLock(folder, fd);
 }

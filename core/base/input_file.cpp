@@ -13,10 +13,10 @@ namespace ostraka {
 namespace {
 
 std::string kindOf(mode_t mode) {
-  if (S_ISDIR(mode)) return "This is a folder, not a file; name a file.";
-  if (S_ISFIFO(mode)) return "This is a pipe, not a file; name a file.";
-  if (S_ISSOCK(mode)) return "This is a socket, not a file; name a file.";
-  if (S_ISCHR(mode) || S_ISBLK(mode)) return "This is a device, not a file; name a file.";
+  if (S_ISDIR(mode)) return "This is a folder, not a file; choose a file.";
+  if (S_ISFIFO(mode)) return "This is a pipe, not a file; choose a file.";
+  if (S_ISSOCK(mode)) return "This is a socket, not a file; choose a file.";
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return "This is a device, not a file; choose a file.";
   return {};
 }
 

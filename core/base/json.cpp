@@ -50,18 +50,18 @@ Result<Json> parsed(std::string_view text, const std::string& where) {
     if (inspection.too_deep)
       return Error::unusable("The JSON is nested deeper than 64 levels.", where);
     if (inspection.twice)
-      return Error::unusable(
-          "The JSON names '" + *inspection.twice + "' twice in one object; delete one of the two.",
-          where);
+      return Error::unusable("The JSON contains '" + *inspection.twice +
+                                 "' twice in one object; delete one of the two.",
+                             where);
     return value;
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    return Error::unusable("This is not valid JSON (line " +
+    return Error::unusable("Not valid JSON (line " +
                                std::to_string(1 + std::count(text.begin(), end, '\n')) +
-                               "); mend it there, or copy the file again.",
+                               "); correct that line, or copy the file again.",
                            where);
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("The JSON holds a number that is too large; mend it.", where);
+    return Error::unusable("The JSON contains a number that is too large; correct it.", where);
   }
 }
 
@@ -77,14 +77,14 @@ std::string plain(double value) {
 
 void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most) {
   throw JsonNumberError("'" + name + "' must be a whole number from " + std::to_string(least) +
-                        " to " + std::to_string(most) + "; mend it.");
+                        " to " + std::to_string(most) + "; correct it.");
 }
 
 void refuseNumber(const std::string& name, double least, double most) {
   if (least == -kMostNumber && most == kMostNumber)
-    throw JsonNumberError("'" + name + "' must be a number; mend it.");
+    throw JsonNumberError("'" + name + "' must be a number; correct it.");
   throw JsonNumberError("'" + name + "' must be a number from " + plain(least) + " to " +
-                        plain(most) + "; mend it.");
+                        plain(most) + "; correct it.");
 }
 
 Error unusableJson(const nlohmann::json::exception& refused, const std::string& otherwise,
@@ -146,7 +146,7 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i) {
     if (!flat[i].is_number())
-      return Error::unusable("A transform holds something not a number.", where);
+      return Error::unusable("A transform contains a value that is not a number.", where);
     matrix(i / 4, i % 4) = flat[i].get<double>();
   }
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();

@@ -47,17 +47,18 @@ Result<NewFolder> NewFolder::begin(const fs::path& where) {
   if (!place.has_filename()) place = place.parent_path();
   if (holdsFiles(place))
     return Error{ErrorCode::UnusableInput,
-                 "The folder holds files already; name a new or empty one.", where.string()};
+                 "The folder already contains files; choose a new or empty one.", where.string()};
   if (cannotBeReplaced(place))
     return Error{
         ErrorCode::UnusableInput,
-        "This folder is a disk of its own, or the one you are in; name a new folder in it.",
+        "This folder is a mount point or the current folder; choose a new folder inside it.",
         where.string()};
   const fs::path partial = place.string() + ".partial";
   if (fs::exists(fs::symlink_status(partial, failed)) && !isLeftover(partial))
-    return Error{ErrorCode::UnusableInput,
-                 "This folder is needed for unfinished files, but holds others; move it away.",
-                 partial.string()};
+    return Error{
+        ErrorCode::UnusableInput,
+        "This folder is needed for unfinished files but contains others; move it elsewhere.",
+        partial.string()};
   if (const Result<void> made = makeFolder(partial); !made) return made.error();
   Result<FolderLock> lock = FolderLock::take(partial);
   if (!lock) return lock.error();

@@ -24,8 +24,8 @@ Error cannotOpen(int reason, std::string where) {
     return Error::unusable("There is no such file; check its name.", std::move(where));
   if (reason == ELOOP || reason == ENOTDIR)  // the latter is what O_DIRECTORY says of a link
     return Error::unusable(
-        "A link or a file stands where a folder belongs, or a link where a file does; put the "
-        "files themselves there.",
+        "A link or a file has taken the place of a folder, or a link that of a file; replace it "
+        "with the folder or the file itself.",
         std::move(where));
   return Error::unusable("The file cannot be opened (" + std::string(std::strerror(reason)) +
                              "); check its permissions.",
@@ -35,7 +35,7 @@ Error cannotOpen(int reason, std::string where) {
 Error cannotMake(int reason, std::string where) {
   if (reason == ELOOP || reason == ENOTDIR) return cannotOpen(reason, std::move(where));
   if (reason == EEXIST)
-    return Error::unusable("There is a file of this name already; it is not overwritten.",
+    return Error::unusable("A file of this name already exists; it is not overwritten.",
                            std::move(where));
   return cannotWrite(where, reason);
 }
@@ -85,7 +85,7 @@ Result<OpenFile> OpenFile::open(const std::filesystem::path& path) {
 Result<OpenFile> OpenFile::of(FileDescriptor file, std::string name) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
-    return Error::unusable("This is not a regular file; name a file.", std::move(name));
+    return Error::unusable("Not a regular file; choose a file.", std::move(name));
   return OpenFile(std::move(file), std::move(name), info.st_size);
 }
 

@@ -23,7 +23,7 @@ struct Error {
   std::string what;
   std::string where;
 
-  static Error cancelled() { return {ErrorCode::Cancelled, "Stopped on request.", {}}; }
+  static Error cancelled() { return {ErrorCode::Cancelled, "Cancelled.", {}}; }
   static Error unusable(std::string what, std::string where = {}) {
     return {ErrorCode::UnusableInput, std::move(what), std::move(where)};
   }

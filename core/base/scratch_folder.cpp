@@ -15,9 +15,9 @@ Result<ScratchFolder> ScratchFolder::make(std::string_view name, const fs::path&
   std::string path = (folder / (std::string(name) + "-XXXXXX")).string();
   if (failed || ::mkdtemp(path.data()) == nullptr)  // for its owner alone (0700), never one there
     return Error{ErrorCode::CannotWrite,
-                 "No temporary folder can be made here (" +
+                 "No temporary folder can be created here (" +
                      (failed ? failed.message() : std::string(std::strerror(errno))) +
-                     "); make room, or set TMPDIR to another folder.",
+                     "); free some space, or set TMPDIR to another folder.",
                  folder.string()};
   return ScratchFolder(fs::path(path));
 }

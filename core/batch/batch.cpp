@@ -89,7 +89,7 @@ class Reader {
   Result<Batch> read() {
     std::error_code ignored;
     if (!fs::is_directory(batch_.folder, ignored))
-      return Error::unusable("There is no such folder; name the folder of a batch.", batch_.folder);
+      return Error::unusable("There is no such folder; choose a batch folder.", batch_.folder);
     const Result<Layout> layout = findLayout();
     if (!layout) return layout.error();
     batch_.way = wayOf(*layout);
@@ -134,8 +134,8 @@ class Reader {
       std::erase_if(free.files, [&](const fs::path& file) {
         if (!isRigName(layout, file)) return false;
         warn(file,
-             "The name is that of a rig's photograph, but most others are not; this photograph is "
-             "left out.");
+             "This file name follows the naming of rig photographs, but most others do not; this "
+             "photograph is left out.");
         return true;
       });
       Result<std::vector<Shot>> shots = freeCameraShots(free, options_, progress_);
@@ -173,8 +173,8 @@ class Reader {
       }
     }
     return Error::unusable(
-        "This is no batch: it has neither the folders 'front' and 'back' nor "
-        "'top_images' and 'bottom_images'; name the folder of a batch.",
+        "Not a batch folder: it has neither the folders 'front' and 'back' nor 'top_images' and "
+        "'bottom_images'; choose a batch folder.",
         batch_.folder);
   }
 
@@ -187,13 +187,13 @@ class Reader {
       shot.file = file;
       if (!camNumbers(file, layout.between, layout.first_camera, shot.camera, shot.stop) ||
           shot.camera < layout.first_camera) {
-        warn(file, std::string("The name is not of the form ") + layout.pattern +
+        warn(file, std::string("The file name does not match the form ") + layout.pattern +
                        "; this photograph is left out.");
         continue;
       }
       shot.camera -= layout.first_camera;
       if (!named_.insert({side, shot.camera, shot.stop}).second) {
-        warn(file, "Another photograph has the same camera and stop; this one is left out.");
+        warn(file, "Another photograph has the same camera and position; this one is left out.");
         continue;
       }
       const Result<ImageSize> size = readImageSize(file);
@@ -255,8 +255,8 @@ class Reader {
       names += (i == 0 ? "" : ", ") + absent[i];
     if (absent.size() > kNamed) names += " and " + std::to_string(absent.size() - kNamed) + " more";
     warn(batch_.folder / layout.folder[side == Side::Front ? 0 : 1],
-         "Photographs are missing here: " + names +
-             "; what only they see will be filled in, so take them again if they matter.");
+         "Photographs are missing: " + names +
+             ". Surfaces that only they show are filled in; retake them if that matters.");
   }
 
   // The size that most photographs of a camera have; the smaller one where two are as frequent, so
@@ -283,8 +283,9 @@ class Reader {
     std::erase_if(batch_.shots, [&](const Shot& shot) {
       const ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
       if (size == expected) return false;
-      warn(shot.file, "The image has " + words(size) + " pixels, the others of its camera have " +
-                          words(expected) + "; this photograph is left out.");
+      warn(shot.file, "The image has " + words(size) +
+                          " pixels, but the others from its camera have " + words(expected) +
+                          "; this photograph is left out.");
       return true;
     });
   }
@@ -295,9 +296,9 @@ class Reader {
     if (views >= options_.min_views_per_side) return {};
     return Error{ErrorCode::NotEnough,
                  std::string("The ") + name(side) + " side has " + std::to_string(views) +
-                     " usable photographs, at least " +
+                     " usable photographs; at least " +
                      std::to_string(options_.min_views_per_side) +
-                     " are needed; put photographs named " + layout.pattern + " there.",
+                     " are needed. Add photographs named " + layout.pattern + ".",
                  (batch_.folder / layout.folder[side == Side::Front ? 0 : 1]).string()};
   }
 
@@ -310,7 +311,7 @@ class Reader {
       const bool empty = emptyPlateCamera(file, 0, shot.camera);
       if (!empty && !camNumbers(file, "_cal", 0, shot.camera, number)) {
         warn(file,
-             "The name is neither cam<C>_cal<NN>.jpg nor empty_cam<C>.jpg; this picture is "
+             "The file name is neither cam<C>_cal<NN>.jpg nor empty_cam<C>.jpg; this picture is "
              "left out.");
         continue;
       }
@@ -321,8 +322,8 @@ class Reader {
         progress_.note(NoteLevel::Warning, size.error().sentence() + " This picture is left out.");
       else if (*size != expected->second)
         warn(file, "The image has " + words(*size) +
-                       " pixels, the photographs of its camera have " + words(expected->second) +
-                       "; this picture is left out.");
+                       " pixels, but the photographs from its camera have " +
+                       words(expected->second) + "; this picture is left out.");
       else
         (empty ? batch_.empty_plates : batch_.calibration).push_back(std::move(shot));
     }

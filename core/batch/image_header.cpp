@@ -35,8 +35,7 @@ class Bytes {
 };
 
 Error cutOff(const std::string& where) {
-  return Error::unusable("The image is cut off before its end; copy it from the camera again.",
-                         where);
+  return Error::unusable("The image file is truncated; copy it from the camera again.", where);
 }
 
 bool isStartOfFrame(std::uint32_t marker) {
@@ -90,7 +89,7 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     offset += 2 + *length;
     if (*marker == 0xDA) offset = afterScan(bytes, offset);
   }
-  if (!size) return Error::unusable("The JPEG image has no picture in it.", where);
+  if (!size) return Error::unusable("The JPEG file contains no image.", where);
   return *size;
 }
 
@@ -155,7 +154,7 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
     if (*tag == 279 || *tag == 325) lengths = entry;
   }
   const auto w = number(bytes, width, 0, big), h = number(bytes, height, 0, big);
-  if (!w || !h) return Error::unusable("The TIFF image has no size in it.", where);
+  if (!w || !h) return Error::unusable("The TIFF file does not state the image's size.", where);
   const Result<ImageSize> size = checkedSize(*w, *h, where);
   if (size && !reachesItsEnd(bytes, starts, lengths, big)) return cutOff(where);
   return size;
@@ -166,7 +165,7 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
 Result<ImageSize> checkedSize(std::int64_t width, std::int64_t height, const std::string& where) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
       width * height > kMaxPixels)
-    return Error::unusable("The image claims a size of " + std::to_string(width) + " x " +
+    return Error::unusable("The image header states a size of " + std::to_string(width) + " x " +
                                std::to_string(height) + " pixels, which cannot be used.",
                            where);
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
@@ -182,7 +181,7 @@ Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
   if (text.starts_with("\x89PNG\r\n\x1A\n")) return pngSize(bytes, where);
   if (text.starts_with(std::string_view("II*\0", 4))) return tiffSize(bytes, false, where);
   if (text.starts_with(std::string_view("MM\0*", 4))) return tiffSize(bytes, true, where);
-  return Error::unusable("This is no JPEG, PNG, TIFF, HEIC or RAW image.", where);
+  return Error::unusable("Not a JPEG, PNG, TIFF, HEIC or RAW image.", where);
 }
 
 Result<ImageSize> readImageSize(const std::filesystem::path& file) {

@@ -25,7 +25,7 @@ KnownLength lengthFromJson(const nlohmann::json& value) {
           {mark.at("file").get<std::string>(),
            {numberIn(mark.at("pixel").at(0), "pixel"), numberIn(mark.at("pixel").at(1), "pixel")}});
     if (known.ends[e].size() < 2)
-      throw std::invalid_argument("each end must be marked on two photographs at least");
+      throw std::invalid_argument("each end must be marked on at least two photographs");
   }
   return known;
 }

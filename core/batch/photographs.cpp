@@ -82,7 +82,7 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
     warn(progress, side.folder,
          "Photographs of less than " + fixed(options.least_free_megapixels, 2) +
              " megapixels are left out (" + someOf(small) +
-             "); copy the originals from the camera in place of thumbnails.");
+             "); copy the originals from the camera instead of thumbnails.");
   return shots;
 }
 
@@ -148,12 +148,12 @@ FreeSide plainSide(Side side, const fs::path& folder, bool alone) {
 Result<void> areTwoFolders(const fs::path& front, const std::optional<fs::path>& back) {
   for (const fs::path& folder : {front, back.value_or(front)})
     if (!isFolder(folder))
-      return Error::unusable("There is no such folder; name one with the photographs of a side.",
-                             folder);
+      return Error::unusable(
+          "There is no such folder; choose one with the photographs of one side.", folder);
   std::error_code ignored;
   if (back && fs::equivalent(front, *back, ignored))
     return Error::unusable(
-        "This folder was named for the front and for the back; name the folder of each side.",
+        "The same folder is given for the front and the back; choose the folder of each side.",
         front);
   return {};
 }
@@ -202,23 +202,23 @@ Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchO
                                           Progress& progress) {
   if (side.files.empty())
     return Error::unusable(
-        "There are no photographs in this folder; put the photographs of one side there.",
+        "This folder contains no photographs; put the photographs of one side into it.",
         side.folder);
   std::vector<Shot> shots = readable(side, options, progress);
   const auto most = static_cast<std::size_t>(options.max_free_views);
   if (shots.size() > most) {
     warn(progress, side.folder,
          std::to_string(most) + " of the " + std::to_string(shots.size()) +
-             " photographs are used: the most detailed ones, spread over the series. More take "
-             "longer and add little.");
+             " photographs are used: the most detailed ones, spread over the series. More would "
+             "take longer and add little.");
     shots = thinned(std::move(shots), most);
   }
   if (static_cast<int>(shots.size()) < options.min_views_per_side)
     return Error{ErrorCode::NotEnough,
                  std::string("The ") + name(side.side) + " side has " +
-                     std::to_string(shots.size()) + " usable photographs, at least " +
+                     std::to_string(shots.size()) + " usable photographs; at least " +
                      std::to_string(options.min_views_per_side) +
-                     " are needed; take more from all around.",
+                     " are needed. Take more from all directions.",
                  side.folder.string()};
   const GivenMasks masks(side.mask_folder);
   for (std::size_t i = 0; i < shots.size(); ++i) {
@@ -260,8 +260,8 @@ Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::pat
     return readBatch(front, with_sheet, progress);
   if (!back && photographsIn(folder[0]).empty())
     return Error::unusable(
-        "There are neither photographs in this folder nor the folders 'front' and 'back' of a "
-        "batch; name a folder with photographs.",
+        "This folder contains neither photographs nor the folders 'front' and 'back' of a batch; "
+        "choose a folder with photographs.",
         folder[0]);
   if (const Result<void> two = areTwoFolders(front, back); !two) return two.error();
   const bool common = back && folder[0].parent_path() == folder[1].parent_path();
@@ -292,7 +292,8 @@ void GivenMasks::attachTo(Shot& shot, Progress& progress) const {
   if (!size)
     progress.note(NoteLevel::Warning, size.error().sentence() + " This mask is not used.");
   else if (*size != ImageSize{shot.width, shot.height})
-    warn(progress, found->second, "The mask's size is not its photograph's; it is not used.");
+    warn(progress, found->second,
+         "The mask and its photograph differ in size; the mask is not used.");
   else
     shot.mask_file = found->second;
 }

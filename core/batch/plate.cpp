@@ -48,11 +48,10 @@ std::string wrongCorners(const Marker& marker) {
   const int turns = leftTurns(marker);
   if (turns == 4)
     return name +
-           " of the plate is mirrored: its corners go round counter-clockwise as seen from above; "
-           "print the plate's file again.";
+           " of the plate is mirrored: its corners run counter-clockwise as seen from above; "
+           "create the plate file again.";
   if (turns > 0)
-    return name +
-           " of the plate is not convex; name its corners one after the other along its edge.";
+    return name + " of the plate is not convex; list its corners in order along its edge.";
   return {};
 }
 
@@ -87,13 +86,13 @@ Marker markerFromJson(const nlohmann::json& value) {
 }
 
 Result<void> checkMarkers(const std::vector<Marker>& markers, const std::filesystem::path& file) {
-  if (markers.empty()) return Error::unusable("The plate names no marker.", file);
+  if (markers.empty()) return Error::unusable("The plate file lists no markers.", file);
   std::set<int> ids;
   for (const Marker& marker : markers) {
     if (std::string wrong = wrongCorners(marker); !wrong.empty())
       return Error::unusable(std::move(wrong), file);
     if (!ids.insert(marker.id).second)
-      return Error::unusable("Marker " + std::to_string(marker.id) + " stands twice on the plate.",
+      return Error::unusable("Marker " + std::to_string(marker.id) + " occurs twice on the plate.",
                              file);
   }
   for (std::size_t i = 0; i < markers.size(); ++i)
@@ -101,7 +100,7 @@ Result<void> checkMarkers(const std::vector<Marker>& markers, const std::filesys
       if (overlap(markers[i], markers[k]))
         return Error::unusable("The markers " + std::to_string(markers[k].id) + " and " +
                                    std::to_string(markers[i].id) +
-                                   " of the plate overlap; print the plate's file again.",
+                                   " of the plate overlap; create the plate file again.",
                                file);
   return {};
 }
@@ -152,11 +151,11 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
   Plate plate;
   try {
     if (json->value("unit", "mm") != "mm")
-      return Error::unusable("The plate's unit must be mm; print the plate's file again.", file);
+      return Error::unusable("The plate's unit must be mm; create the plate file again.", file);
     plate.dictionary = json->at("dictionary").get<std::string>();
     for (const nlohmann::json& value : json->at("markers")) {
       if (plate.markers.size() >= limits::kPlateMarkers.most)
-        return Error::unusable("The plate names more than 1024 markers.", file);
+        return Error::unusable("The plate file lists more than 1024 markers.", file);
       plate.markers.push_back(markerFromJson(value));
     }
     plate.diameter_mm =
@@ -164,12 +163,11 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     if (json->contains("sheet")) plate.sheet = sheetFromJson(json->at("sheet"));
     plate.round = plate.diameter_mm > 0 && !plate.sheet;
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(
-        refused,
-        "The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers "
-        "each; 'diameter', where it is given, is a number in mm, 'sheet' the paper's width and "
-        "height.",
-        file);
+    return unusableJson(refused,
+                        "The plate file needs 'dictionary' and 'markers', each with an id and four "
+                        "corners of three numbers; 'diameter', if given, is a number in mm, "
+                        "'sheet' the paper's width and height.",
+                        file);
   }
   if (Result<void> good = checkMarkers(plate.markers, file); !good) return good.error();
   if (plate.diameter_mm == 0) plate.diameter_mm = markedDiameter(plate);
@@ -210,7 +208,7 @@ Result<Board> readBoard(const std::filesystem::path& file) {
   }
   if (!(board.marker_mm < board.square_mm))
     return Error::unusable(
-        "The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.",
+        "The board's markers must be smaller than its squares; correct 'marker_mm' or 'square_mm'.",
         file);
   return board;
 }

@@ -14,7 +14,7 @@ namespace {
 
 Error damagedRaw(const std::string& where) {
   return Error::unusable(
-      "The RAW image is damaged, or of a camera that is not known; copy it again, or export it as "
+      "The RAW image is damaged, or its camera is not supported; copy it again, or export it as "
       "TIFF.",
       where);
 }
@@ -39,8 +39,7 @@ Result<std::unique_ptr<LibRaw>> unpacked(std::string_view bytes, const std::stri
     return good.error();
   const int status = raw->unpack();
   if (status == LIBRAW_IO_ERROR || raw->error_count() > 0)
-    return Error::unusable("The image is cut off before its end; copy it from the camera again.",
-                           where);
+    return Error::unusable("The image file is truncated; copy it from the camera again.", where);
   if (status != LIBRAW_SUCCESS) return damagedRaw(where);
   return raw;
 }

@@ -138,8 +138,9 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
     return Error{ErrorCode::UnusableInput, "The mesh has no faces to write.", {}};
   for (const auto& t : mesh.triangles)
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
-      return Error{
-          ErrorCode::UnusableInput, "A face of the mesh names a vertex that is not there.", {}};
+      return Error{ErrorCode::UnusableInput,
+                   "A face of the mesh refers to a vertex that does not exist.",
+                   {}};
   Buffer buffer;
   ordered_json attributes = {{"POSITION", addPositions(buffer, mesh)}};
   if (mesh.normals.size() == mesh.vertices.size()) attributes["NORMAL"] = addNormals(buffer, mesh);

@@ -86,14 +86,14 @@ std::string readHeaderLine(const std::vector<std::string_view>& w, Header& heade
     else if (w[1] == "binary_big_endian")
       header.format = Format::Big;
     else
-      return "its format is not known";
+      return "its format is unknown";
     return {};
   }
   if (w[0] == "element" && w.size() == 3) {
     Element element{std::string(w[1]), 0, {}};
     const auto [end, failed] =
         std::from_chars(w[2].data(), w[2].data() + w[2].size(), element.count);
-    if (failed != std::errc() || end != w[2].data() + w[2].size()) return "a count is no number";
+    if (failed != std::errc() || end != w[2].data() + w[2].size()) return "a count is not a number";
     header.elements.push_back(std::move(element));
     return {};
   }
@@ -108,17 +108,17 @@ std::string readHeaderLine(const std::vector<std::string_view>& w, Header& heade
       property.count_type = typeNamed(w[2]);
       if (!property.count_type || *property.count_type == Type::F32 ||
           *property.count_type == Type::F64)
-        return "a list has no whole number as its length";
+        return "the length of a list is not a whole number";
     }
     header.elements.back().properties.push_back(std::move(property));
     return {};
   }
-  return "a line cannot be understood";
+  return "a line cannot be parsed";
 }
 
 Result<Header> readHeader(std::string_view bytes, const std::string& where) {
   if (!bytes.starts_with("ply"))
-    return Error::unusable("This is not a PLY file; name one, or export the scan again.", where);
+    return Error::unusable("Not a PLY file; choose one, or export the scan again.", where);
   Header header;
   bool has_format = false;
   std::size_t at = 0;
@@ -130,17 +130,17 @@ Result<Header> readHeader(std::string_view bytes, const std::string& where) {
     if (line_number == 1) continue;
     if (w.size() == 1 && w[0] == "end_header") {
       if (!has_format)
-        return Error::unusable("The PLY header names no format; export it again.", where);
+        return Error::unusable("The PLY header states no format; export the file again.", where);
       header.size = at;
       return header;
     }
     const std::string wrong = readHeaderLine(w, header, has_format);
     if (!wrong.empty())
-      return Error::unusable("The PLY header is wrong in line " + std::to_string(line_number) +
-                                 ": " + wrong + "; export it again.",
+      return Error::unusable("The PLY header has an error in line " + std::to_string(line_number) +
+                                 ": " + wrong + "; export the file again.",
                              where);
   }
-  return Error::unusable("The PLY header has no end; export it again.", where);
+  return Error::unusable("The PLY header has no end; export the file again.", where);
 }
 
 // The payload, value by value, whatever the format. `ok` turns false at the end of the file.
@@ -381,28 +381,31 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
         !too_many && element.count > limit.most)
       return tooMany(limit, element.name, where);
     if (too_many)
-      return Error::unusable("The PLY header claims " + std::to_string(element.count) + " of '" +
-                                 element.name + "', more than the file holds; it may be cut off.",
+      return Error::unusable("The PLY header declares " + std::to_string(element.count) + " of '" +
+                                 element.name +
+                                 "', more than the file contains; the file may be truncated.",
                              where);
     left -= std::min(left, element.count * least);
     if (element.name == "vertex") {
       if (has_vertices)
         return Error::unusable("The PLY file has two lists of vertices; export it again.", where);
       if (!all(columnsOf(element).xyz))
-        return Error::unusable("The PLY vertices lack x, y or z; export it again.", where);
+        return Error::unusable("The PLY vertices lack x, y or z; export the file again.", where);
       has_vertices = true;
       if (!readVertices(element, values, out, new_index))
         return Error::unusable(
-            "The PLY file ends early or holds something not a number; export it again.", where);
+            "The PLY file ends early or contains a value that is not a number; export it again.",
+            where);
     } else if (element.name == "face") {
       const FaceOutcome outcome = readFaces(element, values, new_index, out);
       if (outcome == FaceOutcome::AbsentVertex)
         return Error::unusable(
-            "A face of the PLY names a vertex that is not there; export it again.", where);
+            "A face of the PLY file refers to a vertex that does not exist; export the file again.",
+            where);
       if (outcome == FaceOutcome::TooManyCorners)
-        return Error::unusable("A face of the PLY has more than " +
+        return Error::unusable("A face of the PLY file has more than " +
                                    std::to_string(limits::kFaceCorners.most) +
-                                   " corners; export it again as triangles.",
+                                   " corners; export the file again as triangles.",
                                where);
       if (outcome == FaceOutcome::TooManyFaces) return tooMany(limits::kFaces, element.name, where);
       if (outcome == FaceOutcome::Truncated)
@@ -415,8 +418,8 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
   if (!has_vertices)
     return Error::unusable("The PLY file has no vertices; export the scan again.", where);
   if (values.isMoreLeft())
-    return Error::unusable("The PLY file holds more than its header claims; export it again.",
-                           where);
+    return Error::unusable(
+        "The PLY file contains more data than its header declares; export it again.", where);
   return out;
 }
 
@@ -430,7 +433,7 @@ Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
   Result<PlyContents> contents = readPly(path);
   if (!contents) return contents.error();
   if (contents->mesh.vertices.empty())
-    return Error::unusable("The PLY file holds no usable point; export the scan again.",
+    return Error::unusable("The PLY file contains no usable points; export the scan again.",
                            path.string());
   return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
                     std::move(contents->mesh.colors), std::move(contents->quality)};

@@ -12,8 +12,8 @@ constexpr double kHeading_mm = 4, kMeasures_mm = 3;  // of their letters
 
 std::string share(const Estimate& kept, const Wording& w) {
   const auto percent = [&](double value) { return w.number(value, 0); };
-  if (!kept.interval) return w.said(percent(kept.value) + " % of the rim kept");
-  return w.said(percent(kept.value) + " % of the rim kept (" + percent(kept.interval->first) +
+  if (!kept.interval) return w.said(percent(kept.value) + " % of the rim preserved");
+  return w.said(percent(kept.value) + " % of the rim preserved (" + percent(kept.interval->first) +
                 " to " + percent(kept.interval->second) + ")");
 }
 

@@ -69,10 +69,8 @@ class Composer {
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
     decide();
     if (options_.rim == RimChoice::Yes && !out_.drawn_as_rim)
-      return Error{
-          ErrorCode::UnusableInput,
-          "No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.",
-          out_.id};
+      return Error{ErrorCode::UnusableInput,
+                   "No part of the edge can be a rim; draw this sherd without a rim.", out_.id};
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
     placeAxis(walls);
     draw();
@@ -87,38 +85,38 @@ class Composer {
     if (options_.rim == RimChoice::Yes) {
       if (p < kLikelyLip && byHand("rim_diameter"))
         out_.remarks.push_back(
-            words("What was taken for the lip hardly looks like one (%.0f %%); check how the sherd "
-                  "stands.",
+            words("The edge taken as the lip barely resembles one (%.0f %%); check the sherd's "
+                  "orientation.",
                   100 * p));
       else if (p < kLikelyLip)
-        out_.remarks.push_back(words(
-            "What was taken for the lip hardly looks like one (%.0f %%), so no diameter is stated; "
-            "check how the sherd stands.",
-            100 * p));
+        out_.remarks.push_back(
+            words("The edge taken as the lip barely resembles one (%.0f %%), so no diameter is "
+                  "given; check the sherd's orientation.",
+                  100 * p));
       else {
         sayWhyNoDiameter();
         if (p < kLikely && out_.rim->saysDiameter() && !byHand("rim_diameter"))
           out_.remarks.push_back(
-              words("What was taken for the lip may be a break (%.0f %% that it is the lip), and "
-                    "the diameter wrong; check how the sherd stands.",
+              words("The edge taken as the lip may be a fracture (%.0f %% that it is the lip), and "
+                    "the diameter may be wrong; check the sherd's orientation.",
                     100 * p));
       }
       return;
     }
     if (out_.drawn_as_rim && p < 0.99)
       out_.remarks.push_back(
-          words("Drawn as a rim, which is likely (%.0f %%); check it.", 100 * p));
+          words("Drawn as a rim sherd, which is likely (%.0f %%); check it.", 100 * p));
     else if (!out_.drawn_as_rim && p >= kPossible)
-      out_.hints.push_back(
-          words("May be a rim (%.0f %%); if it is one, say so and draw it again.", 100 * p));
+      out_.hints.push_back(words(
+          "This may be a rim sherd (%.0f %%); if it is, mark it as one and redraw it.", 100 * p));
     if (out_.drawn_as_rim) sayWhyNoDiameter();
   }
 
   void sayWhyNoDiameter() {
     if (out_.rim->saysDiameter() || byHand("rim_diameter")) return;
     out_.remarks.emplace_back(
-        "The piece of the rim is too short or too straight for a diameter; check how the sherd "
-        "stands.");
+        "The preserved rim is too short or too straight for a diameter; check the sherd's "
+        "orientation.");
   }
 
   const Estimate* byHand(const char* kind) const {
@@ -289,7 +287,7 @@ Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const std::string& id,
   if (mesh.triangles.empty() || !model::isClosedManifold(mesh, &why))
     return Error{ErrorCode::UnusableInput,
                  "A drawing needs a closed model" + (why.empty() ? "" : " (" + why + ")") +
-                     "; make it with 'ostraka process'.",
+                     "; create one with 'ostraka process'.",
                  id};
   return Composer(mesh, id, options).run();
 }

@@ -31,8 +31,8 @@ Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vecto
     std::error_code absent;
     if (const fs::path further = sheetOf(file, i); fs::exists(further, absent))
       return Error{ErrorCode::CannotWrite,
-                   "A sheet of an earlier drawing is there and is not overwritten; choose another "
-                   "name, or remove it.",
+                   "A sheet of an earlier drawing already exists and is not overwritten; choose "
+                   "another name, or delete that sheet.",
                    further.string()};
   }
   std::vector<fs::path> files;

@@ -54,8 +54,8 @@ Result<std::string> bytesOf(OpenFile& file, std::size_t max_bytes, const std::st
   std::string bytes;
   const Result<Checksum> sum = checksumOf(file, stop, [&](std::string_view piece) -> Result<void> {
     if (bytes.size() + piece.size() > max_bytes)
-      return Error::unusable("The file is larger than the " + std::to_string(max_bytes) +
-                                 " bytes that are read here; is it the right one?",
+      return Error::unusable("The file is larger than the limit of " + std::to_string(max_bytes) +
+                                 " bytes; check that it is the right one.",
                              file.name());
     bytes += piece;
     return {};

@@ -44,8 +44,7 @@ class HullMasker {
       if (stop.stop_requested()) return Error::cancelled();
       if (std::none_of(voxels_.begin(), voxels_.end(), [](unsigned char v) { return v != 0; }))
         return Error{ErrorCode::NotEnough,
-                     "No body was found that the photographs agree on; check the cameras, or give "
-                     "masks.",
+                     "The photographs show no common object; check the cameras, or provide masks.",
                      {}};
       parallelFor(views_.size(), options_.threads, [&](std::size_t i) {
         silhouettes_[i] = silhouetteOfHull(space_, voxels_, views_[i], hull_).group;
@@ -175,16 +174,15 @@ Result<void> HullMaskOptions::check() const {
 Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
                               std::span<const cv::Mat> photographs, const HullMaskOptions& options,
                               Progress& progress, std::stop_token stop) {
-  if (const Result<void> ok =
-          checkViews(images, photographs,
-                     "A hull needs at least 3 photographs; photograph the thing from more sides.");
+  if (const Result<void> ok = checkViews(images, photographs,
+                                         "A visual hull needs at least 3 photographs; photograph "
+                                         "the object from more directions.");
       !ok)
     return ok.error();
   const rig::Sight guess = rig::commonSight(images);
   if (!guess.sound())
-    return Error{ErrorCode::UnusableInput,
-                 "The cameras do not look at a common place; check their poses.",
-                 {}};
+    return Error{
+        ErrorCode::UnusableInput, "The cameras do not view a common area; check their poses.", {}};
   return HullMasker(images, photographs, guess, options).run(progress, stop);
 }
 

@@ -167,7 +167,8 @@ Result<void> NetworkMaskOptions::check() const {
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
                                   const NetworkMaskOptions& options, const std::string& where) {
   const std::optional<InputShape> shape = inputShapeOf(model);
-  if (!shape || shape->size() != 4) return unusable(where, "The network has no picture as input");
+  if (!shape || shape->size() != 4)
+    return unusable(where, "The network does not take an image as input");
   const std::int64_t channels = (*shape)[1], rows = (*shape)[2], columns = (*shape)[3];
   if (channels > 0 && channels != 3)
     return unusable(where, "The network takes " + std::to_string(channels) + " channels");
@@ -187,7 +188,7 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
                                 const NetworkMaskOptions& options) {
   if (const Result<void> ok = options.check(); !ok) return ok.error();
   if (photograph.type() != CV_8UC3 || photograph.empty())
-    return Error{ErrorCode::UnusableInput, "The network needs a colour photograph of 8 bits.", {}};
+    return Error{ErrorCode::UnusableInput, "The network needs an 8-bit colour photograph.", {}};
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
   const Result<cv::Size> size = networkInputSize(*model, photograph.size(), options, onnx.string());
@@ -203,9 +204,9 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
   }
   if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
       output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
-    return unusable(onnx.string(), "The network's output has another form");
+    return unusable(onnx.string(), "The network's output has another shape");
   if (!cv::checkRange(output.reshape(1, 1)))
-    return unusable(onnx.string(), "The network's output holds numbers that are not finite");
+    return unusable(onnx.string(), "The network's output contains numbers that are not finite");
   cv::Mat1f sherd;
   cv::resize(probabilityOf(output, options.output), sherd, photograph.size(), 0, 0,
              cv::INTER_LINEAR);

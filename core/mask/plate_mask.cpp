@@ -93,8 +93,8 @@ class PlateMasker {
 
   static Error nothingFound() {
     return {ErrorCode::NotEnough,
-            "No sherd was found on the plate; check that the photographs show sherds that differ "
-            "from the plate, or give masks.",
+            "No sherd was found on the plate; check that the photographs show sherds that stand "
+            "out from the plate, or provide masks.",
             {}};
   }
 
@@ -228,15 +228,16 @@ class PlateMasker {
     if (camera < 0 || camera >= static_cast<int>(empties_.size()) || empties_[camera].empty())
       return {cv::Mat3f(), 0};
     const auto refuse = [&](const std::string& why) {
-      const std::string text = "masks: the empty plate of camera " + batch::cameraLetter(camera) +
-                               " " + why + "; masked without it";
+      const std::string text = "masks: the empty-plate photograph of camera " +
+                               batch::cameraLetter(camera) + " " + why +
+                               "; masks are made without it";
       progress.note(NoteLevel::Warning, text);
       result_.warnings.push_back(text);
       return std::pair<cv::Mat3f, int>{cv::Mat3f(), 0};
     };
     const cv::Mat& photograph = empties_[camera];
     if (photograph.type() != CV_8UC3 || photograph.size() != looks[0].log_colours.size())
-      return refuse("has another size than the camera's photographs");
+      return refuse("differs in size from the camera's other photographs");
     // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
     constexpr double kFits = 0.85;
     const cv::Mat3f empty = logColours(photograph);
@@ -247,11 +248,10 @@ class PlateMasker {
       if (k == 0 || agreement.typical > best.typical) best = agreement, at = k;
     }
     if (best.typical < kFits)
-      return refuse("shows the plate at none of the stops; take it again at the first");
+      return refuse("shows the plate at none of the positions; retake it at the first");
     // Used all the same, it would make a sherd of what lies on the markers in every photograph.
     if (best.whole < kFits)
-      return refuse("shows markers that something covers in " + images_[members[at]].file +
-                    "; take off what lies on them");
+      return refuse("shows covered markers in " + images_[members[at]].file + "; uncover them");
     return {empty, static_cast<int>(at)};
   }
 
@@ -381,9 +381,9 @@ class PlateMasker {
     }
     if (named.empty()) return;
     const std::string text =
-        "masks: a shadow that the other photographs do not have lies on the plate in " +
+        "masks: a shadow that the other photographs do not show falls on the plate in " +
         joined(named, ", ") +
-        "; keep people and hands out of the light, and take these again if their masks look wrong";
+        "; keep people and hands out of the light, and retake these if their masks look wrong";
     progress.note(NoteLevel::Warning, text);
     result_.warnings.push_back(text);
   }
@@ -491,7 +491,7 @@ Result<MaskResult> maskByPlate(std::span<const rig::PosedImage> images,
   if (const Result<void> ok = options.check(); !ok) return ok.error();
   if (const Result<void> ok = checkViews(
           images, photographs,
-          "Masks from the plate need at least 3 photographs of a side; photograph more stops.");
+          "Masks from the plate need at least 3 photographs of a side; photograph more positions.");
       !ok)
     return ok.error();
   return PlateMasker(images, photographs, plate, empty_photographs, options).run(progress, stop);

@@ -190,11 +190,12 @@ Result<void> checkInput(const PointCloud& front, const PointCloud& back,
   if (Result<void> fine = options.check(); !fine) return fine;
   for (const PointCloud* side : {&front, &back}) {
     const std::string name = side == &front ? "front" : "back";
-    if (side->empty()) return noModel("The " + name + " scan holds no points.");
+    if (side->empty()) return noModel("The " + name + " scan contains no points.");
     if (!side->hasNormals())
-      return Error{ErrorCode::UnusableInput,
-                   "The " + name + " scan has no normals; a model needs to know what is outside.",
-                   {}};
+      return Error{
+          ErrorCode::UnusableInput,
+          "The " + name + " scan has no normals; a model needs them to tell outside from inside.",
+          {}};
   }
   return {};
 }
@@ -238,7 +239,7 @@ Result<SherdModel> closeModel(const PointCloud& front, const PointCloud& back,
   SherdModel model;
   model.mesh = largestPart(contour(fine.grid()));
   if (model.mesh.triangles.empty())
-    return noModel("The scans enclose no body; their normals may point inward.");
+    return noModel("The scans do not enclose a volume; their normals may point inward.");
   if (!ontoSurface(model.mesh, field, cell, threads, stop)) return Error::cancelled();
   progress.report(4, kSteps);
   model.mesh.normals = vertexNormals(model.mesh);

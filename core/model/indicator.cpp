@@ -176,7 +176,7 @@ Result<Grid> indicator(const Surfels& surfels, float cell_mm, int threads, std::
     const Array3f cells = ((high - low).array() + 2 * margin) / grid.cell_mm;
     if (cells.prod() > 2.6e8f)
       return Error{ErrorCode::NotEnough,
-                   "The scan is too large for a model at this spacing; give a larger one.",
+                   "The scan is too large for a model at this spacing; use a larger spacing.",
                    {}};
     grid.size = cells.ceil().cast<int>() + 1;
     grid.values.assign(static_cast<std::size_t>(grid.size[0]) * grid.size[1] * grid.size[2], 0.0f);

@@ -60,7 +60,7 @@ bool oneFanEach(const TriangleMesh& mesh, std::string* why) {
       ++steps;
     }
     if (steps != end - begin)
-      return fail(why, "Vertex " + std::to_string(v) + " holds two fans of faces together.");
+      return fail(why, "Vertex " + std::to_string(v) + " joins two separate fans of faces.");
   }
   return true;
 }
@@ -72,7 +72,7 @@ bool isClosedManifold(const TriangleMesh& mesh, std::string* why) {
   const int n = static_cast<int>(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
-      return fail(why, "A face names a vertex that is not there.");
+      return fail(why, "A face refers to a vertex that does not exist.");
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
       return fail(why, "A face has the same vertex twice.");
   }

@@ -237,7 +237,7 @@ double sideGap(const Sources& all, const std::vector<Fit>& own_fits, float radiu
 
 Error tooFew() {
   return {ErrorCode::NotEnough,
-          "The scans hold too few points that agree with each other for a model.",
+          "The scans contain too few points that agree with each other for a model.",
           {}};
 }
 

@@ -125,7 +125,7 @@ Roll rollOn(const PlanarGrid& grid, const std::vector<std::uint8_t>& chosen,
 }  // namespace
 
 Result<std::vector<int>> alphaOutline(std::span<const Eigen::Vector2d> points, double alpha_mm) {
-  const Error open{ErrorCode::NotEnough, "The scan's outline does not close.", {}};
+  const Error open{ErrorCode::NotEnough, "The scan's outline is not closed.", {}};
   if (points.size() < 3) return open;
   const PlanarGrid grid(points, alpha_mm);
   const std::vector<std::uint8_t> chosen = largestGroup(grid);

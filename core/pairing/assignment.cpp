@@ -198,14 +198,14 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   d.margin = d.score - std::min(rival, std::max(alone, partner * (1 - pose)));
   if (e.check_failed) {
     d.doubt = Doubt::SelfCheck;
-    d.reason = "The registration's self-check fails: the back may lie at a wrong place.";
+    d.reason = "The registration fails its self-check: the back may be in the wrong position.";
   } else if (partner < options.flag_below) {
     d.doubt = d.alternatives.empty() ? Doubt::Unrelated : Doubt::OtherPartner;
     d.reason = d.alternatives.empty() ? "The two sides fit barely better than unrelated ones."
-                                      : "Another partner fits nearly as well.";
+                                      : "Another partner fits almost as well.";
   } else if (d.score < options.flag_below) {
     d.doubt = Doubt::OtherPose;
-    d.reason = "Another pose of the same two sides fits nearly as well.";
+    d.reason = "Another pose of the same two sides fits almost as well.";
   }
   d.ambiguous = !d.reason.empty();
   return d;
@@ -216,7 +216,7 @@ Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int 
     if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
         !std::isfinite(e.log_likelihood)) {
       return Error{
-          ErrorCode::UnusableInput, "The evidence of a pair has no valid scans or figure.", {}};
+          ErrorCode::UnusableInput, "The evidence for a pair has no valid scans or value.", {}};
     }
   }
   return {};

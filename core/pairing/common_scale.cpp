@@ -80,8 +80,8 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
   if (scales.size() == 1 && best < kCertain) scales.clear();
   if (scales.empty()) {
     return Error{ErrorCode::NotEnough,
-                 "No two outlines are alike, so the sides' sizes cannot be compared; give a known "
-                 "length.",
+                 "No two outlines match, so the sizes of the two sides cannot be compared; provide "
+                 "a known length.",
                  {}};
   }
   return medianOf(scales) * back_factor / front_factor;

@@ -175,7 +175,7 @@ Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axi
   contour.perimeter_mm = perimeter(contour.points);
   contour.area_mm2 = area(contour.points);
   if (contour.area_mm2 <= 0) {
-    return Error{ErrorCode::NotEnough, "The scan's outline does not close.", {}};
+    return Error{ErrorCode::NotEnough, "The scan's outline is not closed.", {}};
   }
   contour.heights = heightsAt(contour.points, points, std::max(0.5, 1.5 * spacing));
   return contour;

@@ -48,16 +48,17 @@ struct Setting {
 };
 
 constexpr const char* kUneven =
-    "); set the camera to manual: uneven photographs make masks and colours less sure.";
+    "); set the camera to manual, because uneven photographs make masks and colours less reliable.";
 constexpr Setting kSettings[] = {
     {body, ": its photographs come from different cameras (",
-     "); give each camera its own name, for one lens is computed for all that have the same."},
-    {focalLength, ": its focal length is not the same in all photographs (",
-     "); one lens is computed for all of them, so fix the zoom and photograph again."},
-    {aperture, ": its aperture is not the same in all photographs (", kUneven},
-    {exposureTime, ": its exposure time is not the same in all photographs (", kUneven},
-    {iso, ": its sensitivity is not the same in all photographs (", kUneven},
-    {whiteBalance, ": its white balance is not the same in all photographs (", kUneven}};
+     "); give each camera its own name, because photographs with the same camera name share one "
+     "lens calibration."},
+    {focalLength, ": its focal length varies between photographs (",
+     "); all share one lens calibration, so fix the zoom and reshoot."},
+    {aperture, ": its aperture varies between photographs (", kUneven},
+    {exposureTime, ": its exposure time varies between photographs (", kUneven},
+    {iso, ": its sensitivity varies between photographs (", kUneven},
+    {whiteBalance, ": its white balance varies between photographs (", kUneven}};
 
 // The most frequent first.
 std::string listed(const std::map<std::string, int>& counts) {

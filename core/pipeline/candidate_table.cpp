@@ -112,7 +112,8 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   c.evidence.front = indexOf(table.fronts, value.at("front").get<std::string>());
   c.evidence.back = indexOf(table.backs, value.at("back").get<std::string>());
   if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
-    return Error{ErrorCode::UnusableInput, "A candidate names a scan that is not there.", where};
+    return Error{ErrorCode::UnusableInput, "A candidate refers to a scan that does not exist.",
+                 where};
   c.evidence.log_likelihood = numberAt(value, "log_likelihood");
   c.evidence.fracture_rms_mm = r.fracture_rms_mm;
   c.evidence.overlap = r.fracture_overlap;
@@ -181,8 +182,7 @@ Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
     }
   } catch (const json::exception&) {
     return Error{ErrorCode::UnusableInput,
-                 "This is no table of candidates; compute the batch again, only its pairs are "
-                 "done anew.",
+                 "Not a candidate table; reprocess the batch, which redoes only its pairs.",
                  file.string()};
   }
   return table;

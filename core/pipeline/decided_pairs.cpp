@@ -23,9 +23,9 @@ std::string named(const PairDecision& decision) {
 std::string waiting(const PairDecision& decision, const ScanRef& scan,
                     const std::vector<ScanRef>& scans) {
   const bool photographed_again = resolved({scan.side, scan.id, scan.place_mm, {}}, scans) >= 0;
-  return named(decision) + " is about " + scan.id +
-         (photographed_again ? ", whose side was photographed again since; decide again."
-                             : ", which is not on the plate any more; decide again.");
+  return named(decision) + " concerns " + scan.id +
+         (photographed_again ? ", whose side has been reshot since; decide again."
+                             : ", which is no longer on the plate; decide again.");
 }
 
 bool common(const std::vector<int>& a, const std::vector<int>& b) {
@@ -156,8 +156,8 @@ Settled settledBy(const Decisions& standing, const CandidateTable& table) {
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (const PairDecision* later = laterThan(i, all))
-      settled.warnings.push_back(named(*all[i].decision) + " does not hold: " + named(*later) +
-                                 ", which is later, is about the same scan; withdraw one of them.");
+      settled.warnings.push_back(named(*all[i].decision) + " has no effect: " + named(*later) +
+                                 ", which is later, concerns the same scan; withdraw one of them.");
     else
       put(all[i], settled);
   }
@@ -190,7 +190,7 @@ Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
     if (partnerOf(*free, pair.decision.front) != pair.decision.back) {
       pair.decision.ambiguous = true;  // nothing is taken silently
       pair.decision.doubt = pairing::Doubt::Displaced;
-      pair.decision.reason = "Its back was given to another front by a person.";
+      pair.decision.reason = "A person assigned its back to another front.";
     }
   for (const Settled::Pair& pair : settled.pairs)
     decided->pairs.push_back(decidedPair(table, *free, pair));

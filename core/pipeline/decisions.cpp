@@ -77,8 +77,7 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
   const std::optional<DecisionKind> kind = kindOf(value.at("kind").get<std::string>());
   if (!kind)
     return Error{ErrorCode::UnusableInput,
-                 "A decision is of a kind that this program does not know; a newer one wrote it.",
-                 where};
+                 "A decision is of an unknown kind; a newer version of Ostraka wrote it.", where};
   d.kind = *kind;
   d.number = wholeAt(value, "number");
   d.replaces = value.at("replaces").get<std::vector<int>>();
@@ -146,17 +145,17 @@ Result<void> checked(const PairDecision& d) {
       break;
     case DecisionKind::Aside:
     case DecisionKind::Reshoot:
-      if (n == 0) return bad("Nothing was named to be set aside or shot again.");
+      if (n == 0) return bad("Nothing is selected to set aside or reshoot.");
       break;
     case DecisionKind::Join:
-      if (n < 2 || side(0) != side(1)) return bad("Pieces to be joined must be of one side.");
+      if (n < 2 || side(0) != side(1)) return bad("Fragments to merge must be of one side.");
       break;
     case DecisionKind::Split:
       if (n != 1 || (d.cut_mm[0] - d.cut_mm[1]).norm() < 1)
-        return bad("A cut needs one piece and a line of at least a millimetre.");
+        return bad("A split needs one fragment and a line of at least 1 mm.");
       break;
     case DecisionKind::Withdraw:
-      if (d.replaces.empty()) return bad("Nothing was named to be withdrawn.");
+      if (d.replaces.empty()) return bad("Nothing is selected to withdraw.");
       break;
   }
   return {};
@@ -266,23 +265,22 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
   try {
     if (wholeAt(*value, "format") > kFormat)
       return Error{ErrorCode::UnusableInput,
-                   "These decisions were written by a newer program; use that one.", where};
+                   "A newer version of Ostraka wrote these decisions; use that version.", where};
     for (const json& entry : value->at("decisions")) {
       Result<PairDecision> decision = decisionFrom(entry, where);
       if (!decision) return decision.error();
       if (const Result<void> valid = checked(*decision); !valid)
         return Error{ErrorCode::UnusableInput,
                      "Decision " + std::to_string(decision->number) + " cannot be used. " +
-                         valid.error().what + " Mend it, or put a copy of the file back.",
+                         valid.error().what + " Correct it, or restore a copy of the file.",
                      where};
       decisions.push_back(std::move(*decision));
     }
     for (PairDecision& d : decisions) nameMoments(d, decisions);
   } catch (const json::exception& refused) {
-    return unusableJson(refused,
-                        "These are no decisions of this program; move the file away, or put a copy "
-                        "of it back.",
-                        where);
+    return unusableJson(
+        refused, "Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.",
+        where);
   }
   return decisions;
 }
@@ -298,7 +296,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   std::error_code failed;
   if (!fs::is_directory(output, failed))  // a decision alone would stand in the way of new results
     return Error{ErrorCode::Missing,
-                 "The results of this batch are not there any more; compute it again, then decide.",
+                 "The results of this batch no longer exist; reprocess it, then decide.",
                  output.string()};
   Result<Decisions> decisions = readDecisions(output);
   if (!decisions) return decisions.error();
@@ -307,7 +305,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
     for (const int number : decision.replaces)
       if (std::none_of(holding.begin(), holding.end(),
                        [&](const PairDecision& d) { return d.number == number; }))
-        return Error{ErrorCode::UnusableInput, "This decision does not hold any more.",
+        return Error{ErrorCode::UnusableInput, "This decision is no longer in effect.",
                      fileIn(output).string()};
   } else {
     decision.replaces.clear();

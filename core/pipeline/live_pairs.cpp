@@ -336,8 +336,7 @@ Result<RegisteredCandidate> LivePairs::compared(int front, int back, std::stop_t
       compareSides({*f, 1}, {*b, 1}, {{}, {}, plate, plate}, options, quiet, stop);
   if (!table) return table.error();
   if (table->candidates.empty())
-    return Error{
-        ErrorCode::NotEnough, "The outlines of these two sides cannot be laid on each other.", {}};
+    return Error{ErrorCode::NotEnough, "The outlines of these two sides cannot be overlaid.", {}};
   RegisteredCandidate found = std::move(table->candidates.front());
   found.evidence.front = front;
   found.evidence.back = back;

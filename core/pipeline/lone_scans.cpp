@@ -31,10 +31,10 @@ std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone
         best = {i, j};
       }
     if (best)
-      words.push_back(scan->id + " may be two sherds that touch, " + others[best->first]->id +
-                      " and " + others[best->second]->id +
-                      " of the other side: cut it in the review, or lay them apart and photograph "
-                      "its side again.");
+      words.push_back(
+          scan->id + " may be two sherds that touch, " + others[best->first]->id + " and " +
+          others[best->second]->id +
+          " of the other side: split it in the review, or move them apart and reshoot its side.");
   }
   return words;
 }

@@ -75,7 +75,7 @@ Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
   const Result<json> value = readJson(file);
   if (!value) return value.error();
   const Error bad{ErrorCode::UnusableInput,
-                  "This is no list of strokes on masks; put back an earlier one or remove it.",
+                  "Not a list of mask strokes; restore an earlier one, or delete it.",
                   file.string()};
   try {
     if (value->at("format") != kFormatName) return bad;
@@ -165,8 +165,7 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) 
     all.push_back({image.side, image.camera, image.stop, photographNow(image.file, output), mask});
   }
   if (all.empty())
-    return Error{ErrorCode::UnusableInput,
-                 "There are no masks of this batch yet; let it be computed first.",
+    return Error{ErrorCode::UnusableInput, "This batch has no masks yet; process it first.",
                  output.string()};
   std::sort(all.begin(), all.end(), [](const MaskedPhotograph& a, const MaskedPhotograph& b) {
     return std::tuple(a.side, a.stop, a.camera) < std::tuple(b.side, b.stop, b.camera);

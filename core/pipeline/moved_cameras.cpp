@@ -46,7 +46,7 @@ Result<std::vector<MovedCamera>> movedCameras(const fs::path& output) {
                        numberAt(camera, "turned_rad")});
     }
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("This file does not say how well the rig fitted.", file.string());
+    return Error::unusable("This file does not state how well the rig fits.", file.string());
   }
   return moved;
 }
@@ -58,8 +58,8 @@ Result<fs::path> calibrateFrom(const fs::path& output, const fs::path& rig_file)
   if (!old) return old.error();
   if (numbersOf(*fresh) != numbersOf(*old))
     return Error::unusable(
-        "This calibration is of other cameras than the batch was photographed with; calibrate the "
-        "rig by its own photographs.",
+        "This calibration is for other cameras than those of the batch; calibrate the rig from its "
+        "own photographs.",
         rig_file.string());
   const Result<std::string> bytes = readFile(rig_file);
   if (!bytes) return bytes.error();

@@ -16,11 +16,10 @@ Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batc
                   [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
     return MaskSource::Given;
   if (batch.way == batch::Way::FreeCamera) return MaskSource::Views;
-  return Error{
-      ErrorCode::UnusableInput,
-      "Without plate.json the masks cannot be found; put masks beside the photographs, or name a "
-      "network (--masks MODEL.onnx).",
-      batch.folder.string()};
+  return Error{ErrorCode::UnusableInput,
+               "Masks cannot be made without plate.json; put masks next to the photographs, or "
+               "choose a network (--masks MODEL.onnx).",
+               batch.folder.string()};
 }
 
 double nominalScale(const rig::ColmapPoses& poses) {
@@ -71,9 +70,8 @@ void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double f
 }
 
 std::string noScaleWarning() {
-  return "The result has no scale: without plate.json no length is known, and what is given in mm "
-         "is a guess of the size of a pixel; photograph on a marker plate, lay the board of "
-         "board.json "
+  return "The result has no scale: without plate.json no length is known, and lengths in mm rest "
+         "on a guessed pixel size; photograph on a marker plate, lay the board of board.json "
          "beside the sherds on both sides, or mark a known length on both in scale.json.";
 }
 

@@ -61,8 +61,8 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
     if (!own && !holdsOnlyOurs(output) && fs::exists(output, failed) &&
         !fs::is_empty(output, failed))
       return Error{ErrorCode::UnusableInput,
-                   "The output folder holds something that is not from this program; choose "
-                   "another or an empty one.",
+                   "The output folder contains files that Ostraka did not write; choose another or "
+                   "an empty one.",
                    output.string()};
   } else if (const Result<std::string> text = readFile(file)) {
     const ordered_json earlier = orderedJsonOrDiscarded(*text);
@@ -73,7 +73,7 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
     }
     if (3 * same < batch.shots.size())
       return Error{ErrorCode::UnusableInput,
-                   "The output folder holds another batch; choose another folder.",
+                   "The output folder contains another batch; choose another folder.",
                    output.string()};
   }
   return {};
@@ -150,7 +150,7 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
   if (!isUntouched(output) && !names(file, scans_hash) &&
       !names(output / "report.json", scans_hash))
     return Error{ErrorCode::UnusableInput,
-                 "The output folder holds something else; name a new or empty folder.",
+                 "The output folder contains other files; choose a new or empty folder.",
                  output.string()};
   Result<FolderLock> held = FolderLock::take(output / "work");
   if (!held) return held;
@@ -162,8 +162,8 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
 
 Error outputGone(const fs::path& output) {
   return {ErrorCode::CannotWrite,
-          "The output folder is gone: it was moved or deleted while the program was writing into "
-          "it. The photographs are untouched; start the same command again.",
+          "The output folder is gone: it was moved or deleted while Ostraka was writing to it. The "
+          "photographs are untouched; run the same command again.",
           output.string()};
 }
 

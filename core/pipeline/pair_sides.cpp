@@ -29,7 +29,7 @@ registration::Registration outlinesAlone(const pairing::PairCandidate& candidate
   rough.uncertainty_mm = 1;  // a start's tilt and height
   rough.check_failed = true;
   rough.failed_check = registration::FailedCheck::OutlinesAlone;
-  rough.reason = "Only the outlines tie these sides: " + std::move(why);
+  rough.reason = "Only the outlines of these sides match: " + std::move(why);
   return rough;
 }
 

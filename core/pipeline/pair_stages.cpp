@@ -61,7 +61,8 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
       }
       if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
         return Error{ErrorCode::UnusableInput,
-                     "A pair names a scan that is not there; delete this file and start again.",
+                     "A pair refers to a scan that does not exist; delete this file and reprocess "
+                     "the batch.",
                      file.string()};
     }
     pairs.unpaired_front = pairs.json.at("unpaired_front").get<std::vector<std::string>>();
@@ -71,7 +72,7 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
     if (pairs.json.contains("reshoot"))
       pairs.reshoot = pairs.json["reshoot"].get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::UnusableInput, "This is no table of pairs; delete it and start again.",
+    return Error{ErrorCode::UnusableInput, "Not a pair table; delete it and reprocess the batch.",
                  file.string()};
   }
   return pairs;
@@ -141,8 +142,8 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decision
     } else {
       pair.registration.uncertainty_mm = 1;  // nothing but a person's word holds it
       notes.warnings.push_back(front.id + " and " + back.id +
-                               " were paired by hand, but nothing tells how they lie to each "
-                               "other; turn the back by hand in the review: " +
+                               " were paired by hand, but their relative pose is unknown; align "
+                               "the back by hand in the review: " +
                                found.error().sentence());
     }
   }

@@ -69,7 +69,7 @@ std::string blurWarning(const std::string& file, double edge_px, double sharpest
   char text[200];
   std::snprintf(text, sizeof text,
                 ": The photograph is blurred: its edges are %.1f pixels wide, those of the "
-                "camera's sharpest %.1f; %stake it again.",
+                "camera's sharpest %.1f; %sretake it.",
                 edge_px, sharpest_px, left_out ? "it is left out, " : "");
   return file + text;
 }
@@ -77,12 +77,11 @@ std::string blurWarning(const std::string& file, double edge_px, double sharpest
 // Nothing is left out: they are all there is.
 std::string allBlurredWarning(batch::Side side, double edge_px) {
   char text[250];
-  std::snprintf(
-      text, sizeof text,
-      "All photographs of the %s side are blurred: even in the sharpest the markers' edges "
-      "are %.0f pixels wide, so its scans are coarse. Look at focus and shutter speed, and "
-      "photograph this side again.",
-      batch::name(side), edge_px);
+  std::snprintf(text, sizeof text,
+                "All photographs of the %s side are blurred: even in the sharpest, the markers' "
+                "edges are %.0f pixels wide, so its scans are coarse. Check focus and shutter "
+                "speed, and reshoot this side.",
+                batch::name(side), edge_px);
   return text;
 }
 
@@ -90,8 +89,8 @@ std::string coverWarning(batch::Side side, const std::vector<int>& covered, std:
   std::string ids;
   for (const int id : covered) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
   return std::to_string(covered.size()) + " of the plate's " + std::to_string(markers) +
-         " markers are on no photograph of the " + batch::name(side) + " side (" + ids +
-         "); the cameras rest on the others, so take off what covers them.";
+         " markers are visible in no photograph of the " + batch::name(side) + " side (" + ids +
+         "); camera poses rely on the others, so uncover these.";
 }
 
 }  // namespace

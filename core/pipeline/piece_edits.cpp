@@ -114,8 +114,8 @@ EditedPieces editedPieces(std::vector<Scan> scans, batch::Side side, const Decis
     if (!done)
       edited.warnings.push_back("Decision " + std::to_string(d.number) + " by " + d.by +
                                 (d.kind == DecisionKind::Join
-                                     ? " joins pieces that are not there any more;"
-                                     : " cuts a piece that is not there, or beside it;") +
+                                     ? " merges fragments that no longer exist;"
+                                     : " splits a fragment that does not exist, or misses it;") +
                                 " decide again.");
   }
   return edited;

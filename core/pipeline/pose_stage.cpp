@@ -34,9 +34,8 @@ Result<std::vector<rig::PosedImage>> readCamerasOf(const batch::Batch& batch,
     const batch::Shot* shot = findShot(batch, image);
     if (shot == nullptr)
       return Error{ErrorCode::UnusableInput,
-                   "It names " + image.file +
-                       ", which is not in the batch; delete this file, and the cameras are found "
-                       "again.",
+                   "The file lists " + image.file +
+                       ", which is not in the batch; delete the file to find the cameras again.",
                    file.string()};
     image.file = shot->file.string();
   }
@@ -144,7 +143,7 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
     if (poses.images.size() < shots.size())
       notes.warnings.push_back(std::to_string(shots.size() - poses.images.size()) + " of the " +
                                batch::name(side) +
-                               " side's photographs got no pose from COLMAP and are left out.");
+                               " side's photographs have no pose from COLMAP and are left out.");
   }
   if (run.options.rig)
     notes.warnings.push_back(
@@ -231,9 +230,9 @@ void leaveOutOutliers(const Run& run, rig::BatchPoses& poses, StageNotes& notes)
     if (!places) continue;
     for (std::size_t k = images.size(); k-- > 0;) {
       if ((*places)[k].ring >= 0) continue;
-      const std::string warning = images[k].file +
-                                  ": it was not taken from where the camera stood while the plate "
-                                  "turned; it is left out.";
+      const std::string warning =
+          images[k].file +
+          ": the camera was not where it stood while the plate turned; the photograph is left out.";
       run.progress.note(NoteLevel::Warning, warning);
       notes.warnings.push_back(warning);
       leaveOut(poses, at[k]);

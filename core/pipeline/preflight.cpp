@@ -57,13 +57,15 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                             double free_memory_mb) {
   if (const auto masks = maskSource(options.masks, batch); !masks) return masks.error();
   if (const std::string missing = missingProgram(batch, options); !missing.empty())
-    return Error{ErrorCode::Missing,
-                 batch.plate ? "The program " + missing +
-                                   " is not installed, and the stereo that was chosen needs it; "
-                                   "install it, or use the built-in stereo."
-                             : "The photographs show no plate with markers, so the program " +
-                                   missing + " must find the cameras, and it is not installed.",
-                 batch.folder.string()};
+    return Error{
+        ErrorCode::Missing,
+        batch.plate
+            ? "The program " + missing +
+                  " is not installed, but the selected stereo needs it; install it, or use the "
+                  "built-in stereo."
+            : "The photographs show no marker plate, so finding the cameras needs the program " +
+                  missing + ", which is not installed; install it.",
+        batch.folder.string()};
   Preflight ahead;
   double original = 0;
   std::set<int> cameras, stops;
@@ -79,13 +81,13 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
   ahead.lines.push_back("before: photographs: " + std::to_string(fronts) + " of the front, " +
                         std::to_string(backs) + " of the back, from " +
                         std::to_string(cameras.size()) + " cameras at " +
-                        std::to_string(stops.size()) + " stops; " +
+                        std::to_string(stops.size()) + " positions; " +
                         text("%.1f megapixels, used with %.1f", original, ahead.megapixels));
   ahead.lines.push_back(std::string("before: cameras: ") +
                         (!batch.plate  ? "found by COLMAP"
                          : options.rig ? "from the plate's markers, lenses from the calibrated rig"
                          : batch.calibration.empty()
-                             ? "lenses and places from the plate's markers alone"
+                             ? "lenses and poses from the plate's markers alone"
                              : "from the plate's markers, lenses from " +
                                    std::to_string(batch.calibration.size()) +
                                    " photographs of the board"));
@@ -95,8 +97,8 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                              ahead.memory_mb / 1000, free_memory_mb / 1000));
   if (free_memory_mb > 0 && ahead.memory_mb > free_memory_mb)
     ahead.warnings.push_back(
-        text("This will take about %.1f GB of memory, and only %.1f GB are free: the computer may "
-             "stop it or grow very slow. Close other programs, or compute a draft.",
+        text("This needs about %.1f GB of memory, but only %.1f GB are free: the computer may stop "
+             "the program or become very slow. Close other programs, or process a draft.",
              ahead.memory_mb / 1000, free_memory_mb / 1000));
   return ahead;
 }

@@ -64,9 +64,9 @@ std::vector<rig::PosedImage> byStops(std::vector<rig::PosedImage> images, batch:
 std::string fromWhen(const Run& run, const std::vector<rig::PosedImage>& images, int stop) {
   if (run.batch.way == batch::Way::FreeCamera)
     return "from " + fs::path(images[static_cast<std::size_t>(stop)].file).filename().string() +
-           " on";
+           " on,";
   char text[48];
-  std::snprintf(text, sizeof text, "from stop %d on (pos%02d)", stop + 1, stop);
+  std::snprintf(text, sizeof text, "from position %d on (pos%02d),", stop + 1, stop);
   return text;
 }
 
@@ -83,10 +83,10 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
     for (const MovedSherd& sherd : moved) {
       char by[16];
       std::snprintf(by, sizeof by, "%.0f", sherd.by_mm);
-      const std::string text = sherd.scan + " was pushed by about " + by + " mm on the " +
+      const std::string text = sherd.scan + " moved by about " + by + " mm on the " +
                                batch::name(side) +
                                " side: " + fromWhen(run, images, sherd.from_stop) +
-                               " it lies elsewhere; photograph this side again.";
+                               " it lies elsewhere; reshoot this side.";
       notes.warnings.emplace_back(text);
       run.progress.note(NoteLevel::Warning, text);
       notes.figures["moved"].push_back(

@@ -16,14 +16,13 @@ Result<void> ProcessOptions::check() const {
     const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
     if (!beyond.empty() && *beyond.begin() != "..")
       return Error{ErrorCode::UnusableInput,
-                   "The output folder lies in the batch folder, where nothing is ever written; "
-                   "choose one beside it.",
+                   "The output folder lies inside the batch folder, to which Ostraka never writes; "
+                   "choose one next to it.",
                    output.string()};
   }
   if (!(megapixels >= 0.3))
-    return Error{ErrorCode::UnusableInput,
-                 "Photographs cannot be averaged down to less than 0.3 megapixels.",
-                 {}};
+    return Error{
+        ErrorCode::UnusableInput, "Photographs cannot be reduced to less than 0.3 megapixels.", {}};
   if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
     return Error{ErrorCode::UnusableInput,
                  "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "

@@ -46,14 +46,14 @@ Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& opti
                   "No plate.json describes the sheet: " + markers + " with sides of " +
                       fixed(how.marker_mm, 2) + " mm were found in the photographs (" +
                       fixed(sheet->rms_px, 2) +
-                      " px) and are taken for it. Measure the distance of two markers that lie far "
-                      "apart and compare it with plate.json in the output folder.");
+                      " px) and are used instead. Measure the distance between two markers that "
+                      "lie far apart and compare it with plate.json in the output folder.");
   else
     progress.note(NoteLevel::Warning,
                   "No plate.json describes the sheet: " + markers +
                       " were found in the photographs (" + fixed(sheet->rms_px, 2) +
-                      " px), and their size is not known, so the result has no scale. Measure the "
-                      "side of a marker's black square and say it with --marker-mm.");
+                      " px), but their size is unknown, so the result has no scale. Measure the "
+                      "side of a marker's black square and give it with --marker-mm.");
   return {};
 }
 

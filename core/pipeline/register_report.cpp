@@ -32,7 +32,7 @@ std::string overlay(const PointCloud& front, const PointCloud& back, const Eigen
   const double scale = (kWidth - 2 * kMargin) / std::max(1e-9, (high - low).maxCoeff());
   const double height = (high.y() - low.y()) * scale + 2 * kMargin;
   std::string svg = "<svg width=\"" + fixed(kWidth, 0) + "\" height=\"" + fixed(height, 0) +
-                    "\" role=\"img\" aria-label=\"front and back laid over each other\">";
+                    "\" role=\"img\" aria-label=\"front and back overlaid\">";
   for (const auto& [cloud, color] : {std::pair(&front, "#1b6ca8"), std::pair(&back, "#d1495b")}) {
     svg +=
         std::string("<path fill=\"none\" stroke-width=\"1.2\" stroke-linecap=\"round\" stroke=\"") +
@@ -83,21 +83,22 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
       ".8em;text-align:left;vertical-align:"
       "top}.ask{background:#fff3cd}svg{margin-right:1em}</style></head><body><h1>Registered "
       "scans</h1>";
-  page += "<p>" + std::to_string(summary.pairs.size()) + " pairs, of which " +
+  page += "<p>" + std::to_string(summary.pairs.size()) + " pairs, " +
           std::to_string(summary.ambiguous()) +
-          " need a person's decision. Fronts without a back: " + listed(summary.unpaired_front) +
+          " to review. Fronts without a back: " + listed(summary.unpaired_front) +
           ". Backs without a front: " + listed(summary.unpaired_back) + ".</p>";
   for (const std::string& warning : summary.warnings) {
     page += "<p class=\"ask\">" + markupText(warning) + "</p>";
   }
   page +=
-      "<p>Blue: front. Red: back. Left: seen from above; right: a slice of 1 mm through the "
-      "middle.</p><table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certain</th><th>Fracture "
-      "RMS</th><th>Fracture met</th><th>Within (95 %)</th><th>Remark</th><th>Both sides</th></tr>";
+      "<p>Blue: front. Red: back. Left: seen from above; right: a 1 mm slice through the "
+      "middle.</p><table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Confidence</"
+      "th><th>Fracture RMS</th><th>Fracture overlap</th><th>Uncertainty (95 "
+      "%)</th><th>Remark</th><th>Both sides</th></tr>";
   for (std::size_t i = 0; i < summary.pairs.size(); ++i) {
     const RegisterSummary::Pair& p = summary.pairs[i];
     const pairing::Decision& d = table.pairs[i].decision;
-    std::string remark = p.ambiguous ? "To decide: " + p.reason : std::string("Certain.");
+    std::string remark = p.ambiguous ? "Needs review: " + p.reason : std::string("Certain.");
     for (const pairing::Alternative& a : d.alternatives) {
       remark += " Or " + fronts[static_cast<std::size_t>(a.front)].id + " with " +
                 backs[static_cast<std::size_t>(a.back)].id + " (" + fixed(100 * a.score, 1) +

@@ -116,8 +116,8 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
     if (const double length = medianLength(fronts); !isSherdLength(length)) {
       factor = kUsual_mm / length;
       progress.note(NoteLevel::Warning,
-                    "The fronts are not in mm: lengths of the result, mm by name, are in the "
-                    "fronts' own unit.");
+                    "The fronts are not in mm: lengths in the result, although labelled mm, are in "
+                    "the fronts' own unit.");
     }
     sized_fronts = allScaled(fronts, factor);
     sized_backs = allScaled(backs, scale * factor);

@@ -90,7 +90,7 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
       std::string(batch::name(side)) + " side, " +
       (input.way == batch::Way::FreeCamera ? std::filesystem::path(image.file).filename().string()
                                            : "camera " + batch::cameraLetter(image.camera) +
-                                                 ", stop " + std::to_string(image.stop + 1));
+                                                 ", position " + std::to_string(image.stop + 1));
   return "<figure>" + picture({bytes.begin(), bytes.end()}, "jpeg", words) + "<figcaption>" +
          words + "</figcaption></figure>";
 }
@@ -133,8 +133,8 @@ std::string overlay(const Line& front, const Line& back) {
     for (const Eigen::Vector2d& p : *line) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double scale = 284 / std::max(1.0, (high - low).maxCoeff());
   const std::string bar = fixed(10 * scale, 1);
-  return "<figure><svg width=\"300\" height=\"320\" role=\"img\" "
-         "aria-label=\"outlines laid over each other\">" +
+  return "<figure><svg width=\"300\" height=\"320\" role=\"img\" aria-label=\"outlines "
+         "overlaid\">" +
          svgLine(front, low, scale, 300, kFrontStroke, true) +
          svgLine(back, low, scale, 300, kBackStroke, true) + "<path d=\"M8 310h" + bar +
          "\" stroke=\"#000\" stroke-width=\"3\"/><text x=\"" + fixed(14 + 10 * scale, 1) +
@@ -210,8 +210,8 @@ std::string measureLine(const nlohmann::ordered_json& figures) {
   return "<p>Length " + get("length_mm", 1) + " mm, width " + get("width_mm", 1) +
          " mm, thickness " + get("thickness_min_mm", 1) + " to " + get("thickness_max_mm", 1) +
          " mm (mean " + get("thickness_mean_mm", 1) + "), area " + get("area_mm2", 0) +
-         " mm&sup2;, volume " + get("volume_mm3", 0) + " mm&sup3;. Not seen by any camera: " +
-         fixed(100 * figures.value("filled_share", 0.0), 1) +
+         " mm&sup2;, volume " + get("volume_mm3", 0) +
+         " mm&sup3;. Unseen by any camera: " + fixed(100 * figures.value("filled_share", 0.0), 1) +
          " % of the surface, orange in the picture.</p>";
 }
 
@@ -224,9 +224,8 @@ std::string sherdSection(const ReportSherd& sherd) {
   std::string html = "<section class=\"sherd" + std::string(pair.ambiguous ? " doubt" : "") +
                      "\"><div><h3>Sherd " + sherd.number + "</h3><p>" +
                      markupText(sherd.front->id) + " and " + markupText(sherd.back->id) +
-                     ", certainty " + fixed(100 * pair.score, 1) + " %</p>";
-  if (pair.ambiguous)
-    html += "<p class=\"ask\">A person must look: " + markupText(pair.reason) + "</p>";
+                     ", confidence " + fixed(100 * pair.score, 1) + " %</p>";
+  if (pair.ambiguous) html += "<p class=\"ask\">Needs review: " + markupText(pair.reason) + "</p>";
   if (!pair.decided_by.empty()) html += "<p>" + markupText(decidedWords(pair)) + "</p>";
   html += measureLine(sherd.figures);
   if (const Result<std::string> preview = readFile(sherd.preview))
@@ -238,20 +237,21 @@ std::string sherdSection(const ReportSherd& sherd) {
 
 std::string pairTable(const ReportInput& input) {
   std::string html =
-      "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certainty</th><th>Margin</"
-      "th><th>Fracture RMS mm</th><th>Fracture met</th>"
-      "<th>Within mm (95 %)</th><th class=\"words\">Remark</th></tr>";
+      "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Confidence</th><th>Margin</"
+      "th><th>Fracture RMS mm</th><th>Fracture overlap</th><th>Uncertainty mm (95 %)</th><th "
+      "class=\"words\">Remark</th></tr>";
   for (const ReportSherd& sherd : input.sherds) {
     const DecidedPair& p = *sherd.pair;
-    html += "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
-            markupText(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
-            fixed(p.margin, 2) + "</td><td>" +
-            (p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3) + "</td><td>" +
-                                         fixed(100 * p.fracture_overlap, 0) + " %"
-                                   : std::string("–</td><td>–")) +
-            "</td><td>" + fixed(registration::within95_mm(p.uncertainty_mm), 2) +
-            "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
-            markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
+    html +=
+        "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
+        markupText(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
+        fixed(p.margin, 2) + "</td><td>" +
+        (p.fracturesCompared()
+             ? fixed(p.fracture_rms_mm, 3) + "</td><td>" + fixed(100 * p.fracture_overlap, 0) + " %"
+             : std::string("–</td><td>–")) +
+        "</td><td>" + fixed(registration::within95_mm(p.uncertainty_mm), 2) +
+        "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">review</span> " : "") +
+        markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
   }
   html += "</table>";
   const auto lone = [&](const std::vector<std::string>& ids, const char* words) {
@@ -262,7 +262,7 @@ std::string pairTable(const ReportInput& input) {
   };
   lone(input.unpaired_front, "Fronts without a back:");
   lone(input.unpaired_back, "Backs without a front:");
-  lone(input.reshoot, "To be photographed again:");
+  lone(input.reshoot, "To reshoot:");
   lone(input.set_aside, "Set aside:");
   return html;
 }
@@ -282,21 +282,21 @@ std::string stageTable(const ReportInput& input) {
 std::string reportHtml(const ReportInput& input) {
   const auto doubtful = std::count_if(input.sherds.begin(), input.sherds.end(),
                                       [](const ReportSherd& s) { return s.pair->ambiguous; });
-  std::string html = "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Ostraka: " +
-                     markupText(input.batch_name) + "</title><style>" + kStyle +
-                     "</style><h1>Batch " + markupText(input.batch_name) + "</h1><p>" +
-                     std::to_string(input.sherds.size()) + " sherds, " +
-                     (doubtful == 0 ? std::string("all pairs certain.")
-                                    : "<span class=\"ask\">" + std::to_string(doubtful) +
-                                          " for a person to decide.</span>") +
-                     "</p>";
+  std::string html =
+      "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Ostraka: " +
+      markupText(input.batch_name) + "</title><style>" + kStyle + "</style><h1>Batch " +
+      markupText(input.batch_name) + "</h1><p>" + std::to_string(input.sherds.size()) +
+      " sherds, " +
+      (doubtful == 0 ? std::string("all pairs certain.")
+                     : "<span class=\"ask\">" + std::to_string(doubtful) + " to review.</span>") +
+      "</p>";
   for (const std::string& doubt : input.scale_doubts)
-    html += "<p class=\"ask\">A person must decide before anything is measured here: " +
-            markupText(doubt) + "</p>";
+    html +=
+        "<p class=\"ask\">Resolve this before you measure anything: " + markupText(doubt) + "</p>";
   if (input.draft)
     html +=
-        "<p class=\"ask\">This is a draft from photographs averaged down: its measures are coarse. "
-        "Compute the batch again without it before anything is numbered or published.</p>";
+        "<p class=\"ask\">This is a draft from downsampled photographs: its measurements are "
+        "coarse. Reprocess the batch without --draft before you number or publish anything.</p>";
   if (!input.warnings.empty()) {
     html += "<h2>Warnings</h2><ul>";
     for (const std::string& warning : input.warnings)
@@ -307,7 +307,7 @@ std::string reportHtml(const ReportInput& input) {
           sidePicture(input, batch::Side::Back) + "</div>";
   html += "<h2>Pairs</h2>" + pairTable(input) + "<h2>Sherds</h2>";
   for (const ReportSherd& sherd : input.sherds) html += sherdSection(sherd);
-  return html + "<h2>How long it took</h2>" + stageTable(input) + "</html>\n";
+  return html + "<h2>Processing time</h2>" + stageTable(input) + "</html>\n";
 }
 
 }  // namespace ostraka::pipeline

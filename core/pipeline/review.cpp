@@ -261,8 +261,7 @@ Result<void> computedToItsEnd(const std::filesystem::path& output) {
   std::error_code failed;
   if (std::filesystem::exists(output / "report.json", failed)) return {};
   return Error{ErrorCode::Missing,
-               "The batch is not computed to its end; let the queue compute it, then its pairs can "
-               "be looked at.",
+               "The batch is not fully processed; let the queue process it, then review its pairs.",
                output.string()};
 }
 
@@ -279,8 +278,8 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   std::error_code failed;
   if (!std::filesystem::exists(file, failed))
     return Error{ErrorCode::Missing,
-                 "The pairs of this batch are not computed yet, or were computed by an older "
-                 "program; compute the batch again: what is whole is kept.",
+                 "The pairs of this batch are not processed yet, or are from an older version of "
+                 "Ostraka; reprocess the batch: complete results are kept.",
                  output.string()};
   Result<CandidateTable> table = readCandidates(file);
   if (table) readDecided(output / "pairs.json", *table);

@@ -10,17 +10,16 @@ namespace {
 
 std::string doubtOf(const rig::CheckedLength& length) {
   const bool too_small = length.error() < 0;
-  return "The scale is not right: " + sentence(length) + ", so that all measures would be " +
+  return "The scale is wrong: " + sentence(length) + ", so all measurements would be " +
          fixed(100 * std::abs(length.error()), 2) + " % too " + (too_small ? "small" : "large") +
-         "; measure the ruler on the plate and give plate.json its true size with 'ostraka plate "
-         "--ruler-measured' or print the plate again at 100 %; if the plate is true, measure the "
+         "; measure the ruler on the plate and set its true size in plate.json with 'ostraka plate "
+         "--ruler-measured', or reprint the plate at 100 %; if the plate is correct, measure the "
          "length and set its marks again.";
 }
 
 std::string unusable(const batch::KnownLength& known) {
-  return "The length of " + fixed(known.length_mm, 2) +
-         " mm in scale.json could not be compared: " +
-         "mark each of its ends on two photographs or more of the " + batch::name(known.side) +
+  return "The length of " + fixed(known.length_mm, 2) + " mm in scale.json could not be checked: " +
+         "mark each of its ends on at least two photographs of the " + batch::name(known.side) +
          " side, taken from different directions.";
 }
 

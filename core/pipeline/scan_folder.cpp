@@ -32,12 +32,12 @@ Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
     if (isPly(it->path())) files.push_back(it->path());
   }
   if (failed) {
-    return Error{ErrorCode::UnusableInput, "The folder cannot be read; name a folder of PLY files.",
-                 folder.string()};
+    return Error{ErrorCode::UnusableInput,
+                 "The folder cannot be read; choose a folder of PLY files.", folder.string()};
   }
   if (files.empty()) {
     return Error{ErrorCode::UnusableInput,
-                 "There is no PLY file in this folder; each sherd's scan must be one PLY file.",
+                 "This folder contains no PLY files; each sherd's scan must be one PLY file.",
                  folder.string()};
   }
   std::sort(files.begin(), files.end());
@@ -116,7 +116,7 @@ Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
     scan.cloud = subset(scan.cloud, measured);
   }
   if (scan.cloud.size() < 100) {
-    return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; scan this side again.",
+    return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; rescan this side.",
                  file.string()};
   }
   if (!scan.cloud.hasNormals()) {
@@ -126,8 +126,8 @@ Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
   if (const double lengths = awayFromOrigin(scan.cloud); lengths > kMostLengthsAway) {
     return Error{ErrorCode::UnusableInput,
                  "The scan lies " + fixed(lengths, 0) +
-                     " times its length away from 0, 0, 0, so its coordinates are rounded; move it "
-                     "there and export it again.",
+                     " times its length away from the origin, so its coordinates are rounded; move "
+                     "it to the origin and export it again.",
                  file.string()};
   }
   scan.up = scan::estimateUp(scan.cloud);
@@ -150,7 +150,8 @@ std::string unitWords(double length) {
   constexpr std::array<Unit, 3> kUnits = {
       {{"centimetres", 10}, {"metres", 1000}, {"micrometres", 0.001}}};
   for (const Unit& unit : kUnits)
-    if (isSherdLength(length * unit.mm)) return std::string("they look like ") + unit.name + ": ";
+    if (isSherdLength(length * unit.mm))
+      return std::string("their unit seems to be ") + unit.name + ": ";
   return "no sherds are of that size: ";
 }
 
@@ -209,13 +210,13 @@ Result<void> checkUnit(const ScanFolder& fronts, const ScanFolder& backs,
   for (const auto& [side, length] : {std::pair(&fronts, front), std::pair(&backs, back)}) {
     if (isSherdLength(length)) continue;
     return Error{ErrorCode::UnusableInput,
-                 "These scans are " + lengthText(length) + " mm long in the median; " +
+                 "The median length of these scans is " + lengthText(length) + " mm; " +
                      unitWords(length) + what_to_do + ".",
                  side->files.front().parent_path().string()};
   }
   if (std::max(front, back) > kMostApart * std::min(front, back))
     return Error{ErrorCode::UnusableInput,
-                 "The fronts are " + lengthText(front) + " mm long in the median, the backs " +
+                 "The median length of the fronts is " + lengthText(front) + " mm, of the backs " +
                      lengthText(back) + " mm, so their units differ: " + what_to_do + ".",
                  backs.files.front().parent_path().string()};
   return {};

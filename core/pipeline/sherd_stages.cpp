@@ -44,14 +44,14 @@ std::vector<std::string> warningsAbout(const model::SherdModel& model,
   constexpr double kMostFilled = 0.03;
   std::vector<std::string> warnings;
   if (measures.holes_mm2 > 0)
-    warnings.push_back("Sherd " + number + ": its model has a hole right through it (" +
-                       fixed(measures.holes_mm2, 0) +
-                       " mm²). If the sherd has none, the photographs do not show that place; "
-                       "photograph it again.");
+    warnings.push_back(
+        "Sherd " + number + ": its model has a hole right through it (" +
+        fixed(measures.holes_mm2, 0) +
+        " mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.");
   if (model.filled_share > kMostFilled)
     warnings.push_back("Sherd " + number + ": " + fixed(100 * model.filled_share, 0) +
-                       " % of its surface was seen by no camera and is filled in, orange in its "
-                       "picture; photograph it again if that matters.");
+                       " % of its surface is unseen by any camera and filled in, orange in its "
+                       "picture; reshoot it if that matters.");
   return warnings;
 }
 

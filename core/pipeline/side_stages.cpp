@@ -82,10 +82,10 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
     const batch::Shot& shot = *findShot(run.batch, image);  // readCamerasOf has seen to it
     Result<cv::Mat1b> mask =
         shot.mask_file.empty()
-            ? Result<cv::Mat1b>(Error{ErrorCode::UnusableInput,
-                                      "This photograph has no mask; give one for each that is "
-                                      "to be used.",
-                                      image.file})
+            ? Result<cv::Mat1b>(
+                  Error{ErrorCode::UnusableInput,
+                        "This photograph has no mask; provide one for each photograph to be used.",
+                        image.file})
             : mask::readGivenMask(shot.mask_file, shot.width, shot.height);
     if (mask) {
       ++usable;
@@ -256,17 +256,17 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
           }))
         continue;
       notes.warnings.push_back(images[i].file +
-                               ": No sherd is marked on this photograph; it is left out. If sherds "
-                               "are on it, take it again or edit its mask.");
+                               ": The mask marks no sherd in this photograph; it is left out. If "
+                               "it shows sherds, retake it or edit its mask.");
       run.progress.note(NoteLevel::Warning, notes.warnings.back());
     }
     if (used.size() < 3)
-      return Error{ErrorCode::NotEnough,
-                   "Sherds are marked on " + std::to_string(used.size()) + " photographs of the " +
-                       batch::name(side) +
-                       " side; 3 are needed. Look at the masks, and at whether sherds were on the "
-                       "plate.",
-                   (run.work / (std::string("masks_") + batch::name(side))).string()};
+      return Error{
+          ErrorCode::NotEnough,
+          "Masks mark sherds in " + std::to_string(used.size()) + " photographs of the " +
+              batch::name(side) +
+              " side; 3 are needed. Check the masks, and whether sherds were on the plate.",
+          (run.work / (std::string("masks_") + batch::name(side))).string()};
     const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.options.threads);
     if (!photographs) return photographs.error();
     std::vector<stereo::View> views;

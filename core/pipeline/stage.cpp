@@ -82,7 +82,7 @@ Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
       sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}
                  .dump());
   if (std::optional<StageRecord> record = wholeRecord(folder, key_hash)) {
-    progress.note(NoteLevel::Info, name + ": whole from an earlier run");
+    progress.note(NoteLevel::Info, name + ": reused from an earlier run");
     return std::move(*record);
   }
   std::error_code failed;

@@ -96,22 +96,22 @@ void judgeRegistration(const Strip& front, const Strip& back, Registration& foun
                           100 * wall.crossing_share));
   else if (found.fracture_overlap < kSmallestOverlap)
     failed_check(FailedCheck::NoSharedFracture,
-                 "The two scans share almost no broken edge; outlines alone tie them.");
+                 "The two scans share almost no fracture; only their outlines match.");
   else if (found.fracture_overlap < kLittleOverlap)
     failed_check(FailedCheck::NoSharedFracture,
-                 sentence("The two scans share only %.0f %% of the broken edge.",
+                 sentence("The two scans share only %.0f %% of the fracture.",
                           100 * found.fracture_overlap));
   else if (found.fracture_rms_mm > kLargestRmsMm)
     failed_check(FailedCheck::FractureMisfits,
-                 sentence("The broken edges do not fit: %.2f mm RMS.", found.fracture_rms_mm));
+                 sentence("The fractures do not fit: %.2f mm RMS.", found.fracture_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)
     failed_check(FailedCheck::FractureLoose,
-                 sentence("The fracture hardly fixes the pose: uncertain by %.2f mm.",
+                 sentence("The fracture barely fixes the pose: uncertain by %.2f mm.",
                           found.uncertainty_mm));
   else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
     failed_check(
         FailedCheck::RivalPlace,
-        sentence("A place %.1f mm along the fracture fits nearly as well.", found.runner_up_mm));
+        sentence("A position %.1f mm along the fracture fits almost as well.", found.runner_up_mm));
 }
 
 }  // namespace ostraka::registration

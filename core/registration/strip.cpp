@@ -168,7 +168,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
   if (strip.fine.points.size() < 50)
     return Error{
         ErrorCode::NotEnough,
-        "Fewer than 50 points lie on the fracture; scan the sherd again with its broken edge.",
+        "Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.",
         scan.id};
   strip.noise_mm = 1.4826 * medianOf(offsets);
   strip.fine.tree = KdTree(strip.fine.points);

@@ -175,9 +175,9 @@ void leaveOutRelative(const Limits& limits, double longest, SplitResult& result)
   const double percent = 100 * longest / (limits.usual * kUsualSherd_mm);
   const bool front = limits.side == batch::Side::Front;
   result.warnings.push_back(
-      "A piece of " + millimetres(percent) + " % of the usual sherd's length was left out of the " +
-      (front ? "front" : "back") +
-      " side; without a scale it may be a sherd. If it is one, photograph it alone.");
+      "An object of " + millimetres(percent) +
+      " % of the typical sherd's length was left out of the " + (front ? "front" : "back") +
+      " side; without a scale, it may be a sherd. If it is one, photograph it alone.");
   result.doubtful.push_back(result.warnings.back());
 }
 
@@ -197,10 +197,10 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
   } else if (small) {
     result.warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " +
                               at(extent.middle) +
-                              " was left aside; if it is a sherd, shoot it alone.");
+                              " was left out; if it is a sherd, photograph it alone.");
   } else {
-    result.warnings.push_back("Something flat " + at(extent.middle) +
-                              " was left aside; it may be a marker or dirt on the plate.");
+    result.warnings.push_back("A flat object " + at(extent.middle) +
+                              " was left out; it may be a marker or dirt on the plate.");
   }
   return false;
 }
@@ -252,7 +252,7 @@ void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
   }
   for (const Neck& neck : parts.necks)
     result.warnings.push_back("Two sherds touch " + at(neck.place) +
-                              " and were cut apart there; leave a finger's width between sherds.");
+                              " and were split there; leave a finger's width between sherds.");
   for (int k = 0; k < parts.count; ++k) {
     std::vector<int> indices;
     for (std::size_t i = 0; i < piece.size(); ++i)
@@ -277,7 +277,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
-    return Error{ErrorCode::UnusableInput, "The cloud of the plate has no normals.", {}};
+    return Error{ErrorCode::UnusableInput, "The plate's point cloud has no normals.", {}};
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
   SplitResult result;
   std::size_t flying = 0;
@@ -308,7 +308,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   }
   progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +
                                      " sherds on the " + batch::name(side) + " side, " +
-                                     std::to_string(flying) + " flying points left aside");
+                                     std::to_string(flying) + " outliers removed");
   for (const std::string& warning : result.warnings) progress.note(NoteLevel::Warning, warning);
   return result;
 }

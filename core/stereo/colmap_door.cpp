@@ -57,8 +57,8 @@ Result<PointCloud> reconstructWithColmap(std::span<const View> views, const Dens
       !r) {
     if (r.error().code == ErrorCode::Failed && saysThatCudaIsMissing(log))
       return Error{ErrorCode::Missing,
-                   "This colmap was built without CUDA, which its dense stereo needs; install one "
-                   "with CUDA, or use --dense builtin, which needs nothing.",
+                   "This COLMAP was built without CUDA, which its dense stereo needs; install one "
+                   "with CUDA, or use --dense builtin, which needs neither.",
                    program->string()};
     return r.error();
   }

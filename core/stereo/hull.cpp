@@ -135,7 +135,7 @@ Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions&
     if (!boundsOf(hull).isEmpty()) return hull;
   }
   return Error{ErrorCode::NotEnough,
-               "The masks of the views have no common object; check masks, cameras and bounds.",
+               "The masks of the views show no common object; check masks, cameras and bounds.",
                {}};
 }
 

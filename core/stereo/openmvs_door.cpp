@@ -34,7 +34,7 @@ Result<PointCloud> reconstructWithOpenMvs(std::span<const View> views, const Den
     return r.error();
   std::error_code failed;
   if (!fs::is_regular_file(scene, failed))
-    return Error{ErrorCode::Failed, "InterfaceCOLMAP left no scene; its words are in this file.",
+    return Error{ErrorCode::Failed, "InterfaceCOLMAP wrote no scene; its output is in this file.",
                  log.string()};
   progress.report(2, 10);
   progress.note(NoteLevel::Info, "stereo: OpenMVS's DensifyPointCloud");

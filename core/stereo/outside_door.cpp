@@ -40,14 +40,14 @@ Result<void> writePicture(const fs::path& file, const cv::Mat& picture) {
 Result<void> check(std::span<const View> views) {
   if (views.size() < 3)
     return Error{
-        ErrorCode::NotEnough, "Depth needs at least 3 photographs with known cameras.", {}};
+        ErrorCode::NotEnough, "Stereo needs at least 3 photographs with known cameras.", {}};
   for (const View& v : views)
     if (v.photograph.type() != CV_8UC3 || v.photograph.cols != v.camera.intrinsics.width ||
         v.photograph.rows != v.camera.intrinsics.height ||
         (!v.mask.empty() && v.mask.size() != v.photograph.size()))
       return Error{ErrorCode::UnusableInput,
-                   "The photograph or its mask has another size than its camera says; give the "
-                   "photograph that the camera was calibrated with.",
+                   "The photograph or its mask differs in size from its camera's images; use "
+                   "photographs of the size that the camera was calibrated with.",
                    v.camera.file};
   return {};
 }
@@ -212,8 +212,8 @@ Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& pro
                                     const DenseOptions& options) {
   const Error nothing{ErrorCode::NotEnough,
                       program +
-                          " found no points of the object; its words are in this file, and "
-                          "--dense builtin needs no other program.",
+                          " found no points of the object; its output is in this file, and --dense "
+                          "builtin needs no other program.",
                       log.string()};
   std::error_code failed;
   if (!fs::is_regular_file(file, failed)) return nothing;
@@ -262,7 +262,7 @@ Result<fs::path> outsideProgram(const std::string& name, const std::string& opti
   if (program) return *program;
   return Error{ErrorCode::Missing,
                "The program " + name + " is not on the PATH, but --dense " + option +
-                   " needs it; install it, or use --dense builtin, which needs nothing.",
+                   " needs it; install it, or use --dense builtin, which needs no other program.",
                {}};
 }
 

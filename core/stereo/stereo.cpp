@@ -51,17 +51,17 @@ struct Matching {
 Result<void> Matching::check() const {
   if (views.size() < 3)
     return Error{
-        ErrorCode::NotEnough, "Depth needs at least 3 photographs with known cameras.", {}};
+        ErrorCode::NotEnough, "Stereo needs at least 3 photographs with known cameras.", {}};
   for (const View& v : views) {
     if (v.photograph.empty() || v.photograph.type() != CV_8UC3 ||
         v.photograph.cols != v.camera.intrinsics.width ||
         v.photograph.rows != v.camera.intrinsics.height)
       return Error{ErrorCode::UnusableInput,
-                   "The photograph has another size than its camera says; give the photograph that "
-                   "the camera was calibrated with.",
+                   "The photograph differs in size from the images that its camera was calibrated "
+                   "with; use the original photograph.",
                    v.camera.file};
     if (!v.mask.empty() && v.mask.size() != v.photograph.size())
-      return Error{ErrorCode::UnusableInput, "The mask has another size than its photograph.",
+      return Error{ErrorCode::UnusableInput, "The mask and its photograph differ in size.",
                    v.camera.file};
   }
   return {};
@@ -240,7 +240,7 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptio
   tell(std::to_string(points.size()) + " points on the smoothed surface");
   if (points.empty())
     return Error{ErrorCode::NotEnough,
-                 "No surface point was found that two views agree on; check cameras and masks.",
+                 "No two views agree on any surface point; check cameras and masks.",
                  {}};
   return Reconstruction{work.coloured(points), agreement};
 }

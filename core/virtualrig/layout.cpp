@@ -253,13 +253,12 @@ Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOpt
     Arranger arranger(sherds, options, random);
     if (arranger.front(layout) && arranger.back(layout)) return layout;
   }
-  return Error{ErrorCode::UnusableInput,
-               "The " + std::to_string(sherds.size()) +
-                   (options.hand_held
-                        ? " sherds do not fit on the sheet; ask for fewer, or for a larger one."
-                        : " sherds do not fit on the plate; ask for fewer, or for "
-                          "another seed."),
-               {}};
+  return Error{
+      ErrorCode::UnusableInput,
+      "The " + std::to_string(sherds.size()) +
+          (options.hand_held ? " sherds do not fit on the sheet; use fewer, or a larger sheet."
+                             : " sherds do not fit on the plate; use fewer, or another seed."),
+      {}};
 }
 
 }  // namespace ostraka::virtualrig

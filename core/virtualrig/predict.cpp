@@ -116,37 +116,36 @@ void remarkOnMoves(const rig::Rig& rig, const PredictOptions& options, Predictio
     const std::string name = cameraName(rig, static_cast<std::size_t>(tried.move.camera)),
                       where = degrees > 0 ? "higher" : "lower",
                       figures =
-                          "; the same sherds simulated so: accuracy and completeness of small, "
-                          "medium and large ones " +
+                          "; in a simulation of this with the same sherds, the accuracy and "
+                          "completeness of small, medium and large ones are " +
                           figuresOf(prediction, tried.sizes) + " instead of " +
                           figuresOf(prediction, prediction.sizes) + ".";
     prediction.remarks.push_back(
         tried.better
-            ? name + " should stand " + where +
+            ? name + " should be " + where +
                   words(", by %.0f degrees about the plate's middle", std::abs(degrees)) + figures
             : name + " can stay: " + words("%.0f degrees ", std::abs(degrees)) + where +
-                  " promised most, but models would not be better" + figures);
+                  " is most promising, but models would not be better" + figures);
   }
   if (prediction.moves.empty() && options.moves > 0)
     prediction.remarks.push_back(
-        "No camera needs to be moved: 10 or 20 degrees higher or lower none would look at the "
-        "sherds more squarely and still near enough to the others for pictures to match.");
+        "No camera needs to be moved: 10 or 20 degrees higher or lower, none would view the sherds "
+        "more squarely and stay close enough to the others for image matching.");
 }
 
 void remark(const rig::Rig& rig, const PredictOptions& options, Prediction& prediction) {
   const double finest = *std::min_element(prediction.pixels_mm.begin(), prediction.pixels_mm.end());
   for (std::size_t c = 0; c < prediction.pixels_mm.size(); ++c)
     if (prediction.pixels_mm[c] > 1.3 * finest)
-      prediction.remarks.push_back(
-          cameraName(rig, c) +
-          words(" resolves %.2f mm a pixel, the finest %.2f; bring it nearer or zoom in, "
-                "and calibrate again.",
-                prediction.pixels_mm[c], finest));
+      prediction.remarks.push_back(cameraName(rig, c) +
+                                   words(" resolves %.2f mm per pixel, the finest camera %.2f; "
+                                         "move it closer or zoom in, then recalibrate.",
+                                         prediction.pixels_mm[c], finest));
   if (prediction.outside > 0.005)
-    prediction.remarks.push_back(words(
-        "%.1f %% of what the cameras look at falls outside of their pictures; aim them at the "
-        "plate's middle or move them back.",
-        100 * prediction.outside));
+    prediction.remarks.push_back(
+        words("On average, %.1f %% of the sherds' surface falls outside a camera's picture; aim "
+              "the cameras at the plate's middle, or move them back.",
+              100 * prediction.outside));
   remarkOnMoves(rig, options, prediction);
 }
 

@@ -256,7 +256,7 @@ Result<void> SimulateOptions::check() const {
   for (const double radius : radii_mm)
     if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must lie between 8 and 60 mm.");
   if (rig && (rig->cameras.empty() || rig->stop_angles_rad.size() < 4))
-    return bad("The rig needs a camera and at least four stops; calibrate it again.");
+    return bad("The rig needs a camera and at least four positions; recalibrate it.");
   return {};
 }
 

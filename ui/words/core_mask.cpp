@@ -8,14 +8,14 @@ Sentences sentencesOfMask() {
   static constexpr const char* kAll[] = {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "No body was found that the photographs agree on; check the cameras, or give masks."),
+          "The photographs show no common object; check the cameras, or provide masks."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Each photograph needs one pose."),
-      QT_TRANSLATE_NOOP(
-          "ostraka::Error",
-          "A hull needs at least 3 photographs; photograph the thing from more sides."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The cameras do not look at a common place; check their poses."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The network needs a colour photograph of 8 bits."),
+                        "A visual hull needs at least 3 photographs; photograph the object from "
+                        "more directions."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The cameras do not view a common area; check their poses."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The network needs an 8-bit colour photograph."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The mask is missing; expected a mask of %1 x %2 pixels under this name."),
       QT_TRANSLATE_NOOP("ostraka::Error",
@@ -25,26 +25,26 @@ Sentences sentencesOfMask() {
                         "of its photograph."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "Masks from the plate need at least 3 photographs of a side; photograph more stops."),
+          "Masks from the plate need at least 3 photographs of a side; photograph more positions."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "The photograph is not of the size that its camera has; use the original file."),
+          "The photograph differs in size from its camera's images; use the original file."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "No sherd was found on the plate; check that the photographs show sherds "
-                        "that differ from the plate, or give masks."),
+                        "that stand out from the plate, or provide masks."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "masks: the empty plate of camera %1 has another size than the camera's "
-                        "photographs; masked without it"),
+                        "masks: the empty-plate photograph of camera %1 differs in size from the "
+                        "camera's other photographs; masks are made without it"),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "masks: the empty plate of camera %1 shows the plate at none of the stops; "
-                        "take it again at the first; masked without it"),
+                        "masks: the empty-plate photograph of camera %1 shows the plate at none of "
+                        "the positions; retake it at the first; masks are made without it"),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "masks: the empty plate of camera %1 shows markers that something covers "
-                        "in %2; take off what lies on them; masked without it"),
+                        "masks: the empty-plate photograph of camera %1 shows covered markers in "
+                        "%2; uncover them; masks are made without it"),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "masks: a shadow that the other photographs do not have lies on the plate in %1; keep "
-          "people and hands out of the light, and take these again if their masks look wrong"),
+          "masks: a shadow that the other photographs do not show falls on the plate in %1; keep "
+          "people and hands out of the light, and retake these if their masks look wrong"),
       QT_TRANSLATE_NOOP("ostraka::Error", "%1 (%2 % of the bare plate)"),
   };
   return kAll;

@@ -8,24 +8,24 @@ Sentences sentencesOfScan() {
   static constexpr const char* kAll[] = {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone."),
+          "A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "Something flat at x %1, y %2 mm was left aside; it may be a marker or "
-                        "dirt on the plate."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "Two sherds touch at x %1, y %2 mm and were cut apart there; leave a "
-                        "finger's width between sherds."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The cloud of the plate has no normals."),
+                        "Two sherds touch at x %1, y %2 mm and were split there; leave a finger's "
+                        "width between sherds."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The plate's point cloud has no normals."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "No sherd was found on the front side; check its masks and photographs."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "No sherd was found on the back side; check its masks and photographs."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "A piece of %1 % of the usual sherd's length was left out of the front "
-                        "side; without a scale it may be a sherd."),
+                        "An object of %1 % of the typical sherd's length was left out of the front "
+                        "side; without a scale, it may be a sherd."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "A piece of %1 % of the usual sherd's length was left out of the back "
-                        "side; without a scale it may be a sherd."),
+                        "An object of %1 % of the typical sherd's length was left out of the back "
+                        "side; without a scale, it may be a sherd."),
       QT_TRANSLATE_NOOP("ostraka::Error", "If it is one, photograph it alone."),
   };
   return kAll;

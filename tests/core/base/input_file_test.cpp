@@ -55,7 +55,7 @@ TEST_F(InputFiles, OtherThingsAreRefusedByTheirKindAtOnce) {
                                    {"zero", "a device"},
                                    {".", "a folder"}}) {
     const fs::path file = folder_ / name;
-    EXPECT_EQ(refusal(file), file.string() + ": This is " + kind + ", not a file; name a file.");
+    EXPECT_EQ(refusal(file), file.string() + ": This is " + kind + ", not a file; choose a file.");
     EXPECT_FALSE(otherThanAFile(file).empty());
   }
   ::close(socket);

@@ -77,7 +77,7 @@ TEST(JsonNumbers, WholeOnesAreReadWithinTheirRangeOnly) {
   EXPECT_EQ(wholeOr(json, "absent", 7), 7);
   for (const char* name : {"half", "large", "huge", "below", "flag", "word", "none"})
     EXPECT_EQ(refusal([&] { wholeAt(json, name, 2, 100); }),
-              "'" + std::string(name) + "' must be a whole number from 2 to 100; mend it.");
+              "'" + std::string(name) + "' must be a whole number from 2 to 100; correct it.");
   EXPECT_EQ(refusal([&] { wholeAt(json, "absent"); }), "something is missing");
   EXPECT_EQ(wholeIn(Json(INT64_MAX), "bytes", 0, INT64_MAX), INT64_MAX);
 }
@@ -89,9 +89,9 @@ TEST(JsonNumbers, OthersAreFiniteAndWithinTheirRange) {
   EXPECT_EQ(numberOr(json, "absent", 1.5), 1.5);
   for (const char* name : {"far", "word", "flag"})
     EXPECT_EQ(refusal([&] { numberAt(json, name, 0.5, 10); }),
-              "'" + std::string(name) + "' must be a number from 0.5 to 10; mend it.");
-  EXPECT_EQ(refusal([&] { numberAt(json, "word"); }), "'word' must be a number; mend it.");
-  EXPECT_EQ(refusal([&] { numberIn(Json(NAN), "x"); }), "'x' must be a number; mend it.");
+              "'" + std::string(name) + "' must be a number from 0.5 to 10; correct it.");
+  EXPECT_EQ(refusal([&] { numberAt(json, "word"); }), "'word' must be a number; correct it.");
+  EXPECT_EQ(refusal([&] { numberIn(Json(NAN), "x"); }), "'x' must be a number; correct it.");
 }
 
 TEST(WriteJson, KeepsTheOrderOfKeysAndEndsWithALine) {

@@ -59,7 +59,7 @@ TEST_F(AnOpenFolder, FollowsNoLinkOnTheWayNorAtItsEnd) {
   fs::create_directory_symlink(root_ / "outside", root_ / "inside/folder");
   fs::create_symlink(root_ / "outside/file.txt", root_ / "inside/below/link.txt");
   for (const char* name : {"folder/file.txt", "below/link.txt"}) {
-    EXPECT_NE(textOf(name).find("A link or a file stands"), std::string::npos) << textOf(name);
+    EXPECT_NE(textOf(name).find("A link or a file has taken"), std::string::npos) << textOf(name);
     EXPECT_FALSE(write(inside(), name)) << name;
   }
   EXPECT_FALSE(write(inside(), "folder/new.txt"));
@@ -109,7 +109,7 @@ TEST_F(AnOpenFolder, RemovesWhatAKilledProgramLeftOfAFileThatIsMadeAgain) {
 
 TEST_F(AnOpenFolder, WaitsForNoPipe) {
   ASSERT_EQ(::mkfifo((root_ / "inside/pipe").c_str(), 0600), 0);
-  EXPECT_NE(textOf("pipe").find("not a regular file"), std::string::npos) << textOf("pipe");
+  EXPECT_NE(textOf("pipe").find("Not a regular file"), std::string::npos) << textOf("pipe");
   EXPECT_FALSE(OpenFile::open(root_ / "inside/pipe"));
   EXPECT_FALSE(OpenFile::open("/dev/zero"));
   EXPECT_FALSE(OpenFile::open(root_ / "inside"));

@@ -14,7 +14,7 @@ TEST(Result, HoldsEitherAValueOrAnError) {
   const Result<int> wrong = Error{ErrorCode::NotEnough, "Too few.", "a.ply"};
   EXPECT_FALSE(wrong);
   EXPECT_EQ(wrong.error().sentence(), "a.ply: Too few.");
-  EXPECT_EQ(Error::cancelled().sentence(), "Stopped on request.");
+  EXPECT_EQ(Error::cancelled().sentence(), "Cancelled.");
 }
 
 TEST(Result, MovesItsValueOut) {

@@ -41,8 +41,8 @@ TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
   EXPECT_EQ(batch->shots[3].width, 20);
   EXPECT_EQ(batch->shots[4].side, Side::Back);
   EXPECT_FALSE(batch->plate.has_value());
-  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("front: Photographs are missing here: "
-                                                       "cam0_pos03, cam0_pos04")));
+  EXPECT_THAT(listener.warnings,
+              ElementsAre(HasSubstr("front: Photographs are missing: cam0_pos03, cam0_pos04")));
 }
 
 TEST(ReadBatch, TakesTheLettersThatTheCamerasHaveInTheWindow) {
@@ -103,7 +103,7 @@ TEST(ReadBatch, NamesTheMissingSide) {
 TEST(ReadBatch, RefusesAFolderThatIsNoBatch) {
   const TemporaryFolder folder("nobatch");
   Listener listener;
-  EXPECT_THAT(read(folder, listener).error().what, HasSubstr("no batch"));
+  EXPECT_THAT(read(folder, listener).error().what, HasSubstr("Not a batch folder"));
   EXPECT_THAT(readBatch(folder.path() / "nowhere", {}, listener).error().what,
               HasSubstr("no such folder"));
 }

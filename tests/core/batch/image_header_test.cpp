@@ -68,13 +68,13 @@ TEST(ImageSize, ReadsBigEndianTiffByHand) {
 
 TEST(ImageSize, RefusesWhatIsNoImage) {
   EXPECT_THAT(imageSize("", "x").error().what, HasSubstr("empty"));
-  EXPECT_THAT(imageSize("GIF89a...", "x").error().what, HasSubstr("no JPEG, PNG, TIFF"));
+  EXPECT_THAT(imageSize("GIF89a...", "x").error().what, HasSubstr("Not a JPEG, PNG, TIFF"));
 }
 
 TEST(ImageSize, RefusesALyingSize) {
   std::string png = encoded(".png", 8, 8);
   png.replace(16, 4, "\x7F\xFF\xFF\xFF");
-  EXPECT_THAT(imageSize(png, "x").error().what, HasSubstr("claims a size"));
+  EXPECT_THAT(imageSize(png, "x").error().what, HasSubstr("states a size"));
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(ReadBatch, LetsMostNamesDecideAndNamesTheOthers) {
   ASSERT_TRUE(batch.has_value()) << batch.error().sentence();
   EXPECT_EQ(batch->way, Way::FreeCamera);
   EXPECT_EQ(batch->shots.size(), 7U);
-  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("cam0_pos00.jpg: The name is that of a ")));
+  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("cam0_pos00.jpg: This file name follows ")));
 }
 
 TEST(ReadBatch, TakesAFrontAloneOfFreeCamerasAndNoOtherSideAlone) {
@@ -107,7 +107,8 @@ TEST(ReadBatch, TakesMasksOfFreeCamerasByTheStemsOfTheirPhotographs) {
   EXPECT_EQ(batch->shots[0].mask_file, "");
   EXPECT_EQ(batch->shots[1].mask_file.filename(), "img_2.png");
   EXPECT_EQ(batch->shots[2].mask_file, "");
-  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("IMG_3.png: The mask's size")));
+  EXPECT_THAT(listener.warnings,
+              ElementsAre(HasSubstr("IMG_3.png: The mask and its photograph differ")));
 }
 
 TEST(ReadPhotographs, JoinsTwoFoldersToABatchWithTheSheetAboveBoth) {
@@ -176,9 +177,9 @@ TEST(ReadPhotographs, RefusesFoldersWithoutPhotographsByName) {
   std::filesystem::create_directories(folder.path() / "back/IMG_1.jpg.folder");
   Listener listener;
   EXPECT_THAT(readPlain(folder, listener).error().sentence(),
-              AllOf(HasSubstr("back: There are no photographs in this folder")));
+              AllOf(HasSubstr("back: This folder contains no photographs")));
   EXPECT_THAT(readPhotographs(folder.path() / "back", {}, {}, {}, listener).error().sentence(),
-              HasSubstr("neither photographs in this folder nor the folders 'front' and 'back'"));
+              HasSubstr("neither photographs nor the folders 'front' and 'back'"));
   EXPECT_THAT(readPhotographs(folder.path() / "front", folder.path() / "away", {}, {}, listener)
                   .error()
                   .sentence(),
@@ -187,7 +188,7 @@ TEST(ReadPhotographs, RefusesFoldersWithoutPhotographsByName) {
       readPhotographs(folder.path() / "front", folder.path() / "back/../front", {}, {}, listener)
           .error()
           .sentence(),
-      HasSubstr("named for the front and for the back"));
+      HasSubstr("given for the front and the back"));
 }
 
 TEST(ReadPhotographs, LeavesOutWhatIsNoPictureAndLinksThatLeadNowhere) {

@@ -25,8 +25,8 @@ void expectRefused(const std::string& bytes, const std::string& word) {
 }
 
 TEST(BadPly, WhatIsNoPlyIsRefused) {
-  expectRefused("", "not a PLY");
-  expectRefused("solid stl", "not a PLY");
+  expectRefused("", "Not a PLY");
+  expectRefused("solid stl", "Not a PLY");
   expectRefused("ply\n", "no end");
   expectRefused("ply\nelement vertex 1\n" + kXyz + "end_header\n1 2 3\n", "no format");
   expectRefused(header("ascii", "element face 0\n"), "no vertices");
@@ -46,18 +46,18 @@ TEST(BadPly, CountsThatTheFileCannotHoldAreRefusedBeforeAllocating) {
     expectRefused(
         header("binary_little_endian", std::string("element vertex ") + count + "\n" + kXyz) +
             std::string(96, '\0'),
-        "more than the file holds");
+        "more than the file contains");
     expectRefused(header("ascii", std::string("element vertex ") + count + "\n" + kXyz) + "1 2 3\n",
-                  "more than the file holds");
+                  "more than the file contains");
   }
   expectRefused(
       header("ascii", "element vertex 1\n" + kXyz + "element nothing 4000000000\n") + "1 2 3\n",
-      "more than the file holds");
+      "more than the file contains");
   expectRefused(header("binary_little_endian",
                        "element vertex 1\n" + kXyz +
                            "element face 1000000\nproperty list uchar int vertex_indices\n") +
                     std::string(40, '\0'),
-                "more than the file holds");
+                "more than the file contains");
 }
 
 TEST(BadPly, ListsLongerThanTheFileAreRefused) {
@@ -102,13 +102,13 @@ TEST(BadPly, FacesThatNameAbsentVerticesAreRefused) {
       header("ascii", "element vertex 2\n" + kXyz +
                           "element face 1\nproperty list uchar int vertex_index\n") +
       "0 0 0\n1 1 1\n";
-  expectRefused(start + "3 0 1 2\n", "vertex that is not there");
-  expectRefused(start + "3 0 1 -1\n", "vertex that is not there");
+  expectRefused(start + "3 0 1 2\n", "vertex that does not exist");
+  expectRefused(start + "3 0 1 -1\n", "vertex that does not exist");
   expectRefused(
       header("ascii",
              "element face 1\nproperty list uchar int vertex_index\nelement vertex 1\n" + kXyz) +
           "1 0\n0 0 0\n",
-      "vertex that is not there");
+      "vertex that does not exist");
 }
 
 TEST(BadPly, WordsAmongTheNumbersAreRefused) {

@@ -72,13 +72,13 @@ TEST(Drawing, OfARimSaysDiameterIntervalAndWhatIsKept) {
   const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
   EXPECT_THAT(svg, HasSubstr("\xC3\x98 "));
   EXPECT_THAT(svg, HasSubstr("95 %: "));
-  EXPECT_THAT(svg, HasSubstr("% of the rim kept"));
+  EXPECT_THAT(svg, HasSubstr("% of the rim preserved"));
 }
 
 // A person says that they are rims: of 317 a break is taken for the lip, of 528 there is too
 // little.
 TEST(Drawing, OfARimWithoutAKnownDiameterSaysWhyAndPrintsNone) {
-  for (const auto& [seed, why] : {std::pair(317, "hardly looks like one"),
+  for (const auto& [seed, why] : {std::pair(317, "barely resembles one"),
                                   std::pair(558, "too short or too straight for a diameter")}) {
     const TrueSherdOfVessel rim =
         trueSherd(SherdPart::Rim, static_cast<std::uint64_t>(seed), seed == 558 ? 0.05 : 0);
@@ -103,7 +103,7 @@ TEST(Drawing, OfARimWithAWeakLipDoubtsItsDiameter) {
   options.rim = RimChoice::Yes;
   const auto drawing = drawSherd(rim.sherd.mesh, "R", options);
   ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
-  EXPECT_THAT(drawing->remarks, testing::ElementsAre(HasSubstr("may be a break")));
+  EXPECT_THAT(drawing->remarks, testing::ElementsAre(HasSubstr("may be a fracture")));
   options.by_hand["rim_diameter"] = {200, {}};
   EXPECT_TRUE(drawSherd(rim.sherd.mesh, "R", options)->remarks.empty());
 }
@@ -122,7 +122,7 @@ TEST(Drawing, OfARimWithADiameterByHandIsDrawnThatWide) {
   // The section's lip stands 115 mm left of the axis, where the rim's line ends.
   EXPECT_NEAR(drawing->box.min().x(), -115, 4);
   const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
-  EXPECT_THAT(svg, HasSubstr("\u00D8 23.0 cm, 3 % of the rim kept<"));
+  EXPECT_THAT(svg, HasSubstr("\u00D8 23.0 cm, 3 % of the rim preserved<"));
 }
 
 TEST(Drawing, SaysItsTextsInTheLanguageAndWithItsDecimalSign) {

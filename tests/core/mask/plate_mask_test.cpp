@@ -204,7 +204,7 @@ TEST(PlateMasks, AClothOnAThirdOfTheMarkersIsNotTakenForATurnedPlate) {
       maskByPlate(scene.images, scene.photographs, scene.plate, right, {}, quiet, {});
   ASSERT_TRUE(covered.has_value()) << covered.error().sentence();
   ASSERT_EQ(covered->warnings.size(), 1U);
-  EXPECT_THAT(covered->warnings[0], testing::HasSubstr("something covers in cam0_pos00.jpg"));
+  EXPECT_THAT(covered->warnings[0], testing::HasSubstr("covered markers in cam0_pos00.jpg"));
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_GT(intersectionOverUnion(covered->masks[i], scene.truth[i]), 0.94) << "stop " << i;
   Scene even(45);  // without the stop that the empty plate was taken at
@@ -215,7 +215,7 @@ TEST(PlateMasks, AClothOnAThirdOfTheMarkersIsNotTakenForATurnedPlate) {
       maskByPlate(even.images, even.photographs, even.plate, turned, {}, quiet, {});
   ASSERT_TRUE(refused.has_value());
   ASSERT_EQ(refused->warnings.size(), 1U);
-  EXPECT_THAT(refused->warnings[0], testing::HasSubstr("shows the plate at none of the stops"));
+  EXPECT_THAT(refused->warnings[0], testing::HasSubstr("shows the plate at none of the positions"));
 }
 
 TEST(PlateMasks, AnEmptyPlateAtAnyStopIsUsedWithoutAWord) {

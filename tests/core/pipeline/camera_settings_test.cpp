@@ -43,7 +43,7 @@ TEST_F(CameraSettings, AZoomThatWasTouchedBetweenTheSidesIsNamed) {
   const auto all = warnings();
   ASSERT_EQ(all.size(), 1u);
   EXPECT_THAT(all[0], AllOf(HasSubstr("Camera B: its focal length"), HasSubstr("(48.5 mm, 50 mm)"),
-                            HasSubstr("photograph again")));
+                            HasSubstr("reshoot")));
 }
 
 TEST_F(CameraSettings, AutomaticExposureIsNamedWithItsValues) {
@@ -52,8 +52,8 @@ TEST_F(CameraSettings, AutomaticExposureIsNamedWithItsValues) {
   const auto all = warnings();
   ASSERT_EQ(all.size(), 1u);
   // Ten of 1/60 s; the others twice or once.
-  EXPECT_THAT(all[0], HasSubstr("Camera A: its exposure time is not the same in all photographs "
-                                "(1/60 s, 0.5 s, 1/125 s, 1/15 s, ...)"));
+  EXPECT_THAT(all[0], HasSubstr("Camera A: its exposure time varies between photographs (1/60 s, "
+                                "0.5 s, 1/125 s, 1/15 s, ...)"));
 }
 
 // Files renamed by hand: the ports changed, and B's photographs have A's name.

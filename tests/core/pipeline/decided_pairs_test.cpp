@@ -159,7 +159,7 @@ TEST_F(DecidedPairs, AboutASidePhotographedAgainAreSaidAndChangeNothing) {
   const Settled settled = settledBy({d}, table);
   EXPECT_TRUE(settled.pairs.empty());
   ASSERT_EQ(settled.warnings.size(), 1u);
-  EXPECT_NE(settled.warnings[0].find("photographed again since; decide again"), std::string::npos);
+  EXPECT_NE(settled.warnings[0].find("reshot since; decide again"), std::string::npos);
   EXPECT_EQ(settledBy({pair(0, 0)}, table).pairs.size(), 1u) << "of an older program";
 }
 

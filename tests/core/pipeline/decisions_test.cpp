@@ -188,7 +188,7 @@ TEST_F(DecisionsOf, ThatNobodyCouldTakeAreNamed) {
     const std::string sentence = refused.error().sentence();
     EXPECT_NE(sentence.find("decisions.json"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("Decision 7"), std::string::npos) << sentence;
-    EXPECT_NE(sentence.find("put a copy"), std::string::npos) << "what to do: " << sentence;
+    EXPECT_NE(sentence.find("restore a copy"), std::string::npos) << "what to do: " << sentence;
   }
 }
 

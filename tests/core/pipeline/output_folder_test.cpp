@@ -61,7 +61,7 @@ TEST_F(OutputFolder, OfSomethingElseIsRefusedByARegistration) {
   for (const std::vector<std::string>& names : others) {
     const auto held = claimOutput(outputWith(names), "scans");
     ASSERT_FALSE(held.has_value()) << names.back();
-    EXPECT_THAT(held.error().sentence(), HasSubstr("something else"));
+    EXPECT_THAT(held.error().sentence(), HasSubstr("contains other files"));
     EXPECT_FALSE(fs::exists(folder / "out/work/scans.json"));
   }
 }

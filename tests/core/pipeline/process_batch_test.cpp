@@ -199,8 +199,8 @@ TEST_F(ProcessBatch, WhatIsWrongWithOnePhotographOrMaskCostsThatPhotographAndIsN
   const Result<std::string> log = readFile(options.output / "log.txt");
   ASSERT_TRUE(log.has_value());
   for (const char* words :
-       {"missing here: cam0_pos01", "cam1_pos03.jpg: The image has 400 x 300",
-        "cam1_pos05.jpg: This photograph has no mask", "cam2_pos06.jpg: No sherd is marked"})
+       {"missing: cam0_pos01", "cam1_pos03.jpg: The image has 400 x 300",
+        "cam1_pos05.jpg: This photograph has no mask", "cam2_pos06.jpg: The mask marks no sherd"})
     EXPECT_NE(log->find(words), std::string::npos) << words << " in " << *log;
   const auto points = [](const fs::path& output) {
     return readJson(output / "work" / "dense_front" / "stage.json")
@@ -237,7 +237,7 @@ TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
   for (const char* stage : {"rig", "dense_front", "dense_back", "scans_front", "pairs"})
     EXPECT_TRUE(fs::exists(folder_ / "decided" / "work" / stage / "stage.json")) << stage;
   const Result<std::string> log = readFile(folder_ / "decided" / "log.txt");
-  EXPECT_NE(log->find("pairs: whole from an earlier run"), std::string::npos);
+  EXPECT_NE(log->find("pairs: reused from an earlier run"), std::string::npos);
 
   PairDecision undo;
   undo.kind = DecisionKind::Withdraw;
@@ -283,11 +283,11 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   EXPECT_EQ(maskFolder(out, batch::Side::Front), "edited_front");
   EXPECT_EQ(maskFolder(out, batch::Side::Back), "masks_back");
   const std::string log = *readFile(out / "log.txt");
-  const std::string last = log.substr(log.rfind("rig: whole from an earlier run"));
+  const std::string last = log.substr(log.rfind("rig: reused from an earlier run"));
   for (const char* kept : {"masks_front", "masks_back", "dense_back", "scans_back"})
-    EXPECT_NE(last.find(std::string(kept) + ": whole from an earlier run"), std::string::npos)
+    EXPECT_NE(last.find(std::string(kept) + ": reused from an earlier run"), std::string::npos)
         << kept;
-  EXPECT_EQ(last.find("dense_front: whole from an earlier run"), std::string::npos);
+  EXPECT_EQ(last.find("dense_front: reused from an earlier run"), std::string::npos);
   // 14 pixels around its middle are gone from the first sherd; the second loses nothing.
   EXPECT_LT(points("01"), 0.95 * first_before);
   EXPECT_GT(points("02"), 0.98 * second_before);
@@ -318,7 +318,7 @@ TEST_F(ProcessBatch, GoesOnWhereABatchWasStoppedAndThenMoved) {
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   EXPECT_EQ(results(folder_ / "stopped"), before);
   const std::string log = *readFile(folder_ / "stopped" / "log.txt");
-  EXPECT_NE(log.rfind("rig: whole from an earlier run"), std::string::npos);
+  EXPECT_NE(log.rfind("rig: reused from an earlier run"), std::string::npos);
 }
 
 TEST_F(ProcessBatch, SetAsideASherdIsNeitherMadeNorMissed) {
@@ -395,7 +395,7 @@ TEST_F(ProcessBatch, IsHeldWhenAMarkedLengthContradictsThePlate) {
   EXPECT_NEAR(length.at("found_mm").get<double>(), 158.4, 3 * length.at("sd_mm").get<double>());
   EXPECT_LT(length.at("sd_mm").get<double>(), 0.3);
   const std::string html = *readFile(options.output / "report.html");
-  EXPECT_NE(html.find("A person must decide before anything is measured here"), std::string::npos);
+  EXPECT_NE(html.find("Resolve this before you measure anything"), std::string::npos);
 }
 
 TEST_F(ProcessBatch, IsNotHeldByAMarkedLengthThatAgrees) {
@@ -463,7 +463,7 @@ TEST_F(ProcessBatch, WritesNothingIntoTheBatchItself) {
     const Result<ProcessSummary> refused = process(within, 1, quiet);
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(refused.error().what.find("nothing is ever written"), std::string::npos);
+    EXPECT_NE(refused.error().what.find("never writes"), std::string::npos);
   }
   EXPECT_FALSE(fs::exists(folder_ / "batch" / "front" / "out"));
 }

@@ -110,7 +110,7 @@ TEST_F(ProcessScans, NamesAModelOfWhichMuchIsFilledIn) {
   ASSERT_EQ(summary->sherds.size(), 3u);
   for (const SherdSummary& sherd : summary->sherds) {
     EXPECT_TRUE(sherd.has_model) << sherd.remark;
-    const bool named = sherd.remark.find("seen by no camera") != std::string::npos;
+    const bool named = sherd.remark.find("unseen by any camera") != std::string::npos;
     EXPECT_EQ(named, sherd.front == "f002") << sherd.front << ": " << sherd.remark;
   }
 }
@@ -121,7 +121,7 @@ TEST_F(ProcessScans, GoesOnFromWholeStagesAndKnowsItsOwnOutput) {
   ASSERT_TRUE(process("out", 3).has_value());
   EXPECT_EQ(*readFile(folder / "out/pairs.json"), *first) << "the same for any number of threads";
   const std::string log = *readFile(folder / "out/log.txt");
-  EXPECT_NE(log.find("scans_front: whole from an earlier run"), std::string::npos);
+  EXPECT_NE(log.find("scans_front: reused from an earlier run"), std::string::npos);
   fs::create_directories(folder / "taken");
   ASSERT_TRUE(writeFileAtomically(folder / "taken/thesis.txt", "text").has_value());
   EXPECT_FALSE(process("taken").has_value());
@@ -186,7 +186,7 @@ TEST_F(ProcessScans, AnOutputFolderThatWasMovedGoesOnWhereItIsNow) {
   EXPECT_FALSE(fs::exists(options.output));
   ASSERT_TRUE(process("moved").has_value());
   const std::string log = *readFile(folder / "moved/log.txt");
-  EXPECT_NE(log.find("pairs: whole from an earlier run"), std::string::npos);
+  EXPECT_NE(log.find("pairs: reused from an earlier run"), std::string::npos);
 }
 
 // A person's deleting and the program's writing may cross: what is left holds no batch.json.

@@ -92,7 +92,7 @@ TEST_F(RegisterScans, InCentimetresAreRefusedBeforeAnythingIsWritten) {
   const auto summary = run("out");
   ASSERT_FALSE(summary.has_value());
   EXPECT_EQ(summary.error().code, ErrorCode::UnusableInput);
-  EXPECT_THAT(summary.error().sentence(), HasSubstr("look like centimetres"));
+  EXPECT_THAT(summary.error().sentence(), HasSubstr("seems to be centimetres"));
   EXPECT_THAT(summary.error().sentence(), HasSubstr("--scale free"));
   EXPECT_FALSE(fs::exists(folder / "out"));
 }

@@ -99,7 +99,7 @@ TEST_F(ScanFolders, InAMapsCoordinatesAreNamedInsteadOfRounded) {
   EXPECT_EQ(side.unusable, 1);
   ASSERT_EQ(side.warnings.size(), 1u);
   EXPECT_THAT(side.warnings[0], HasSubstr("a.ply"));
-  EXPECT_THAT(side.warnings[0], HasSubstr("times its length away from 0, 0, 0"));
+  EXPECT_THAT(side.warnings[0], HasSubstr("times its length away from the origin"));
 }
 
 TEST_F(ScanFolders, InAnotherUnitAreNamedWithIt) {
@@ -108,11 +108,11 @@ TEST_F(ScanFolders, InAnotherUnitAreNamedWithIt) {
     const char* words;
   };
   for (const Case& c :
-       {Case{0.1, 0.1, "4.0 mm long in the median; they look like centimetres"},
-        Case{0.001, 0.001, "0.040 mm long in the median; they look like metres"},
-        Case{1000, 1000, "40000 mm long in the median; they look like micro"},
+       {Case{0.1, 0.1, "4.0 mm; their unit seems to be centimetres"},
+        Case{0.001, 0.001, "0.040 mm; their unit seems to be metres"},
+        Case{1000, 1000, "40000 mm; their unit seems to be micro"},
         Case{0.015, 0.015, "no sherds are of that size"}, Case{1, 0.1, "centimetres"},
-        Case{4, 1, "The fronts are 160 mm long in the median, the backs 40.0 mm"}}) {
+        Case{4, 1, "The median length of the fronts is 160 mm, of the backs 40.0 mm"}}) {
     write("front/a.ply", disc(c.front));
     write("back/a.ply", disc(c.back));
     const Result<void> unit = checkUnit(read("front"), read("back"), "export them in mm");

@@ -72,7 +72,7 @@ TEST_F(SelfCheck, APairThatSharesLittleOfItsBrokenEdgeIsFlaggedWithTheShare) {
   r = judged(r);
   EXPECT_TRUE(r.check_failed);
   EXPECT_EQ(r.failed_check, FailedCheck::NoSharedFracture);
-  EXPECT_EQ(r.reason, "The two scans share only 15 % of the broken edge.");
+  EXPECT_EQ(r.reason, "The two scans share only 15 % of the fracture.");
   r = good;
   r.fracture_overlap = 0.25;
   EXPECT_FALSE(judged(r).check_failed) << r.reason;

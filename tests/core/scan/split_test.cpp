@@ -83,7 +83,7 @@ TEST(SplitScans, WithoutAScaleWhatIsLeftOutIsNamedAndInDoubt) {
   EXPECT_EQ(found->scans.size(), 2u);
   ASSERT_EQ(found->doubtful.size(), 1u);  // 5.7 mm where the usual sherd has 800 mm2
   EXPECT_EQ(found->warnings, found->doubtful);
-  EXPECT_NE(found->doubtful[0].find("of the usual sherd's length was left out of the front side"),
+  EXPECT_NE(found->doubtful[0].find("of the typical sherd's length was left out of the front side"),
             std::string::npos);
 }
 

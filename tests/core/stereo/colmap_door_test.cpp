@@ -60,7 +60,7 @@ TEST_F(ColmapDoor, SaysThatThisColmapHasNoCuda) {
   ASSERT_FALSE(cloud.has_value());
   EXPECT_EQ(cloud.error().code, ErrorCode::Missing);
   EXPECT_THAT(cloud.error().what, HasSubstr("CUDA"));
-  EXPECT_THAT(cloud.error().what, HasSubstr("--dense builtin, which needs nothing"));
+  EXPECT_THAT(cloud.error().what, HasSubstr("--dense builtin, which needs neither"));
 }
 
 TEST_F(ColmapDoor, TrustsTheOutputAndNotTheExitStatus) {
@@ -92,7 +92,7 @@ TEST_F(ColmapDoor, NamesTheProgramThatIsMissing) {
   EXPECT_EQ(cloud.error().code, ErrorCode::Missing);
   EXPECT_EQ(cloud.error().sentence(),
             "The program colmap is not on the PATH, but --dense colmap needs it; install it, or "
-            "use --dense builtin, which needs nothing.");
+            "use --dense builtin, which needs no other program.");
 }
 
 TEST_F(ColmapDoor, LeavesTheWorkspaceOfAnotherRunAlone) {
@@ -102,7 +102,7 @@ TEST_F(ColmapDoor, LeavesTheWorkspaceOfAnotherRunAlone) {
   std::ofstream(work() / "database.db") << "in use";
   const auto cloud = run();
   ASSERT_FALSE(cloud.has_value());
-  EXPECT_THAT(cloud.error().sentence(), HasSubstr("Another run is writing here"));
+  EXPECT_THAT(cloud.error().sentence(), HasSubstr("Another run is writing to this folder"));
   EXPECT_EQ(textOf(work() / "database.db"), "in use");
   EXPECT_EQ(calls(), "");
 }

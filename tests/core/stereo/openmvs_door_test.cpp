@@ -77,7 +77,7 @@ TEST_F(OpenMvsDoor, NamesTheProgramThatIsMissing) {
   ASSERT_FALSE(cloud.has_value());
   EXPECT_EQ(cloud.error().code, ErrorCode::Missing);
   EXPECT_THAT(cloud.error().what, HasSubstr("DensifyPointCloud"));
-  EXPECT_THAT(cloud.error().what, HasSubstr("--dense builtin, which needs nothing"));
+  EXPECT_THAT(cloud.error().what, HasSubstr("--dense builtin, which needs no other program"));
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST_F(Predict, SimulatesAMoveBeforeItIsRecommended) {
                 designed_.expectedAccuracy(tried.sizes[2]));
   EXPECT_THAT(designed_.remarks,
               Contains(AllOf(HasSubstr("Camera C"), HasSubstr(figure), HasSubstr(" instead of "),
-                             HasSubstr(tried.better ? " should stand lower, by "
+                             HasSubstr(tried.better ? " should be lower, by "
                                                     : "models would not be better"))));
 }
 

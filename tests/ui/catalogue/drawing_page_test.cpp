@@ -151,7 +151,7 @@ class DrawingPageTest : public QObject {
     child<QComboBox>("drawingRim")->setFocus();
     QTest::keyClick(child<QComboBox>("drawingRim"), Qt::Key_Down);
     QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
-    QVERIFY2(words().contains("hardly looks like one"), qPrintable(words()));
+    QVERIFY2(words().contains("barely resembles one"), qPrintable(words()));
     QVERIFY2(!words().contains("Mouth"), qPrintable(words()));
     QVERIFY(!child<QPushButton>("enterRim")->isVisible());
   }

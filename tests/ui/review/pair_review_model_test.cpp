@@ -205,7 +205,7 @@ void PairReviewModelTest::theBackIsSeenOnItsWayAndCanBeStopped() {
   model_->stopSettling();
   QTRY_VERIFY(!model_->isSettling());
   QCOMPARE(failed.count(), 1);
-  QVERIFY(failed[0][0].toString().startsWith("Stopped"));
+  QVERIFY(failed[0][0].toString().startsWith("Cancelled"));
   QVERIFY(model_->trial().front_from_back.isApprox(by_hand, 0));
   QCOMPARE(model_->trial().made, Made::ByHand);
   QVERIFY(seen.empty());

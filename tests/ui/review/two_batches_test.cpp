@@ -107,7 +107,7 @@ void TwoBatchesTest::aBatchThatIsBeingComputedIsNotOpened() {
   std::filesystem::remove(report);
   screen_->showItem("B0002");
   auto* message = screen_->findChild<QLabel*>("message");
-  QTRY_VERIFY2(message->text().contains("not computed to its end"), qPrintable(message->text()));
+  QTRY_VERIFY2(message->text().contains("not fully processed"), qPrintable(message->text()));
   QVERIFY(!model()->isOpen());
   key(Qt::Key_Return);
   QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});

@@ -107,7 +107,7 @@ class SentenceTest : public QObject {
   }
 
   void sentencesOfTheCoreAreSaidInTheLanguage() {
-    QCOMPARE(wordsOf("Stopped on request."), QStringLiteral("[Stopped on request.]"));
+    QCOMPARE(wordsOf("Cancelled."), QStringLiteral("[Cancelled.]"));
     QCOMPARE(wordsOf("Nobody ever said this."), QStringLiteral("Nobody ever said this."));
     QCOMPARE(
         sentenceOf(Error::unusable("The camera stays busy; switch it off and on.", "camera B")),
@@ -118,11 +118,10 @@ class SentenceTest : public QObject {
   void sentencesAreFoundBehindNamesAndBehindEachOther() {
     QCOMPARE(wordsOf("front/camA_003.png: The camera stays busy; switch it off and on."),
              QStringLiteral("front/camA_003.png: [The camera stays busy; switch it off and on.]"));
-    QCOMPARE(wordsOf("Stopped on request. Nobody ever said this. The camera is not plugged in."),
-             QStringLiteral("[Stopped on request.] Nobody ever said this. "
-                            "[The camera is not plugged in.]"));
-    QCOMPARE(wordsOf("camera A: Stopped on request.; camera B: Stopped on request."),
-             QStringLiteral("camera A: [Stopped on request.]; camera B: [Stopped on request.]"));
+    QCOMPARE(wordsOf("Cancelled. Nobody ever said this. The camera is not plugged in."),
+             QStringLiteral("[Cancelled.] Nobody ever said this. [The camera is not plugged in.]"));
+    QCOMPARE(wordsOf("camera A: Cancelled.; camera B: Cancelled."),
+             QStringLiteral("camera A: [Cancelled.]; camera B: [Cancelled.]"));
   }
 
   // Hours of log in one text cost no more than its length.

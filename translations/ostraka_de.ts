@@ -5309,7 +5309,7 @@
       <translation>Kamera %1: ihr Weißabgleich ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Kamera erklärt die Kalibrierbilder.</translation>
     </message>
@@ -5574,7 +5574,7 @@
       <translation>Die Seite eines Markers muss zwischen 0,5 und 1000 mm liegen; ein schwarzes Quadrat auf dem Papier messen.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In diesen %2 Fotos wird kein Bogen mit mindestens %1 Markern aus OpenCVs Wörterbüchern gelesen; Fotos aufnehmen, die mehr davon zeigen, oder seine plate.json nennen.</translation>
     </message>
@@ -8059,7 +8059,7 @@
       <translation>Weniger als 50 Punkte liegen auf der Bruchkante; die Scherbe mit ihrem Rand noch einmal scannen.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die Tafel ist nicht zu sehen; dieses Bild wird ausgelassen.</translation>
     </message>
@@ -8074,12 +8074,12 @@
       <translation>Ein Gitter aus Marken braucht 'dictionary', 'markers_x', 'markers_y', 'marker_length' und 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier ist nichts, wonach sich kalibrieren ließe: die Platte an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt keine Bilder der Tafel; sie hierher legen oder nach 'calib'.</translation>
     </message>
@@ -8089,7 +8089,7 @@
       <translation>Es wird beiseitegelegt.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Es hat eine andere Größe als das erste; es wird beiseitegelegt.</translation>
     </message>
@@ -8099,12 +8099,12 @@
       <translation>Die Ausgleichung des Messplatzes fand keine Lösung; prüfen, ob plate.json und board.json beschreiben, was aufgenommen wurde.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Darin steht nicht, wie die Blätter gebogen sind; die Datei löschen, dann wird es neu gemessen.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei sagt nicht, worauf die Scherben stehen; sie löschen, dann wird es neu bestimmt.</translation>
     </message>
@@ -8114,17 +8114,17 @@
       <translation>Die Marken des Blattes sind in %1 von %2 Fotos der Seite %3 lesbar; mindestens 3 sind nötig. Prüfen, ob plate.json dieses Blatt beschreibt, ob die Fotos nicht gespiegelt sind und ob die meisten Marken im Bild sind.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 Marken des Blattes sind darin lesbar, zu wenige für eine Lage; es wird weggelassen.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos, die für eine Pose zu wenige Marker des Bogens zeigen, werden ausgelassen (%1 und %2 weitere); prüfen, ob sie diesen Bogen zeigen.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die meisten Marker des Bogens liegen darin anders, als die übrigen Fotos sagen; es wird ausgelassen.</translation>
     </message>
@@ -8134,7 +8134,7 @@
       <translation>Nur eine Seite wurde fotografiert: Ihre %1 Scans sind offene Flächen ohne Rückseite; sie liegen in 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt kein plate.json, also sind die Marken der Platte nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit der Platte geschrieben hat.</translation>
     </message>
@@ -8149,12 +8149,12 @@
       <translation>Ihr Objektiv wird stattdessen aus den Marken der Platte geschätzt.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Objektiv von Kamera %1 ist unbekannt: Es gibt weder brauchbare Bilder der Tafel noch Marken der Platte; Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Objektiv von Kamera %1 wurde allein aus den Marken der Platte geschätzt; für genaue Maße 12 Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
@@ -8169,57 +8169,57 @@
       <translation>Kein Foto von Kamera %1 zeigt zwei Marken der Platte; alle ihre Fotos werden ausgelassen.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der bekannte Messplatz stimmt nicht mehr: Kamera %1 verfehlt die Marken um %2 px; die Orte der Kameras werden für diesen Durchgang neu geschätzt, den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Keine seiner %2 Marken liegt dort, wo diese Kamera sie an dieser Position sieht.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es trägt den Namen eines anderen Fotos oder entstand, während die Platte sich drehte; es wird ausgelassen.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Keine Marke ist darauf zu sehen; zeigt es diese Position? Wenn nicht, noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur von %1 Fotos der Vorderseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur von %1 Fotos der Rückseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 sieht weniger als sechs Marken der Platte an Position %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur %1 Positionen wurden aufgenommen; mindestens vier über die ganze Umdrehung aufnehmen, damit die Achse gefunden wird.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weniger als acht Marken waren zu sehen, also ließ sich kein Abstand zur Kontrolle zurückhalten: Der Maßstab ist nicht geprüft.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwischen den Marken %1 und %2 haben Sie %3 mm gemessen, nach plate.json sind es %4 mm (%5 %); das Lineal der Platte messen und plate.json mit 'ostraka plate --ruler-measured' neu erstellen.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einer anderen Platte?</translation>
     </message>
@@ -8229,22 +8229,22 @@
       <translation>Nicht brauchbar: Der Maßstab stimmt nicht.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gut: Objektive, Orte und Maßstab sind bestimmt.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur für einen Versuch brauchbar: Das Objektiv von Kamera %1 folgt allein aus den Marken der Platte.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Brauchbar, aber eine Brennweite ist auf nicht besser als ein Tausendstel bekannt.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Brauchbar; was unten genannt ist, würde sie verbessern.</translation>
     </message>
@@ -8259,32 +8259,32 @@
       <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Brennweite %2 px (%3 %), die Marken der Platte auf %4 px im Median.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, die Marken der Platte auf %9 px im Median.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: 12 Bilder der Tafel aufnehmen, nah und fern, bis in alle Ecken des Bildes, um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur 1 Bild zeigt die Tafel; mindestens 8 aufnehmen, besser 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur %2 Bilder zeigen die Tafel; mindestens 8 aufnehmen, besser 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Tafel reicht kaum in diese Bereiche des Bildes: %2; Bilder mit der Tafel dort hinzufügen.</translation>
     </message>
@@ -8354,12 +8354,12 @@
       <translation>Rückprojektionsfehler %1 px über die Marken der Platte.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maßstab: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maßstab: Die Marken %1 und %2, von Hand %3 mm zwischen den Mitten ihrer Außenkanten, liegen in den Fotos %4 mm auseinander (%5 %).</translation>
     </message>
@@ -8369,7 +8369,7 @@
       <translation>Beiseitegelegt: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Objektiv ist bekannt, die Orte der Kameras sind es nicht: Es lässt sich kein Messplatz speichern.</translation>
     </message>
@@ -8379,27 +8379,27 @@
       <translation>Nicht brauchbar: Die Brennweite ist nicht bestimmt.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auch die Platte mit ihren Marken aufnehmen: je Kamera und Position ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marke %1 der bekannten Länge ist nicht zweimal zu sehen; zwei Marken der Platte nennen, die auf den Fotos sind.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine bekannte Länge braucht zwei verschiedene Marken und Millimeter über null.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diesen Ordner gibt es nicht; einen mit Fotos der Platte oder der Tafel nennen.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mehr als fünf Verzeichnungsglieder für '%1' werden nicht verstanden; zuerst die Verzeichnung aus ihren Fotos entfernen.</translation>
     </message>
@@ -8419,12 +8419,12 @@
       <translation>Einem Bild fehlt file, width, height, K, R oder t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kameradatei enthält keine Liste 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAPs Kamera %1 hat das Modell '%2' oder Werte, die hier nicht verwendbar sind; stattdessen OPENCV nehmen.</translation>
     </message>
@@ -8434,117 +8434,117 @@
       <translation>COLMAPs Modell hat keine Kamera für das Bild '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist beschädigt oder nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeile %1 ist nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Lage dieses Fotos wird ohne seine Maske bestimmt.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu dieser Platte gehört, ob sie maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihr kalibriert wurde.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gegenüber Kamera %1 hat sich Kamera %2 seit der Kalibrierung des Messplatzes um %3 mm verschoben und um %4 Grad gedreht.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die Tafel ist darauf nicht zu sehen; es wird beiseitegelegt.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Markenverzeichnis '%1' ist unbekannt; eines wie DICT_4X4_100 nehmen.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Seite der Marken muss zwischen 5 und 200 mm liegen.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchmesser der Platte muss zwischen 1 und 2000 mm liegen.</translation>
     </message>
@@ -8569,12 +8569,12 @@
       <translation>Marken von %1 mm lassen auf einer Platte von %2 mm keinen Platz für eine Scherbe; die Platte größer machen.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Rand des Druckers muss zwischen 0 und 40 mm liegen.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Überlappung der Blätter muss zwischen 5 und 40 mm liegen.</translation>
     </message>
@@ -8584,42 +8584,42 @@
       <translation>Das Verzeichnis %1 hat zu wenige Marken für diese Platte.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Maß des Lineals muss eine Länge in mm sein, die auf die Platte passt.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Lineal dieser Platte ist %1 mm lang gezeichnet, %2 mm weicht um mehr als ein Zehntel ab; die Datei mit 100 % drucken, ohne 'An Seite anpassen', und noch einmal messen.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 hat eine Kovarianz anderer Größe; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Messplatz wurde von einer anderen Version geschrieben; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 steht zweimal im Messplatz.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Messplatzdatei (RIG.json); den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Messplatz hat keine Kamera; ihn neu kalibrieren.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei gibt es schon, und sie ist kein Messplatz; eine andere nennen.</translation>
     </message>
@@ -8629,12 +8629,12 @@
       <translation>Das Protokoll lässt sich nicht schreiben.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es lässt sich kein Prozess starten.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Programm ging verloren.</translation>
     </message>
@@ -8644,7 +8644,7 @@
       <translation>Das Programm lässt sich nicht starten; es installieren.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 endete mit einem Fehler; seine Meldungen stehen in dieser Datei.</translation>
     </message>
@@ -8774,7 +8774,7 @@
       <translation>Die Kamera hat kein Foto gemacht.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einer Markenplatte fotografieren.</translation>
     </message>

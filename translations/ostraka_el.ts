@@ -5304,7 +5304,7 @@
       <translation>Κάμερα %1: η ισορροπία λευκού της δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>Η πλευρά ενός δείκτη πρέπει να είναι μεταξύ 0,5 και 1000 mm· μετρήστε ένα μαύρο τετράγωνο στο χαρτί.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε αυτές τις %2 φωτογραφίες δεν διαβάζεται φύλλο με τουλάχιστον %1 δείκτες των λεξικών της OpenCV· τραβήξτε φωτογραφίες που δείχνουν περισσότερο από αυτό ή δώστε το plate.json του.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με την ακμή του.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Ο πίνακας βαθμονόμησης δεν φαίνεται· αυτή η εικόνα παραλείπεται.</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Ένα πλέγμα δεικτών χρειάζεται 'dictionary', 'markers_x', 'markers_y', 'marker_length' και 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τίποτα για βαθμονόμηση: φωτογραφίστε τον δίσκο σε κάθε στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) και τον πίνακα βαθμονόμησης στο 'calib', και αντιγράψτε δίπλα τους τα plate.json και board.json.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχουν εικόνες του πίνακα βαθμονόμησης· βάλτε τες εδώ ή στο 'calib'.</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Μπαίνει στην άκρη.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: το μέγεθός της δεν είναι ίδιο με της πρώτης· μπαίνει στην άκρη.</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>Η προσαρμογή της διάταξης δεν συνέκλινε· ελέγξτε ότι τα plate.json και board.json περιγράφουν ό,τι φωτογραφήθηκε.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν λέει πώς είναι λυγισμένα τα φύλλα· διαγράψτε το αρχείο και θα μετρηθούν ξανά.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν λέει πάνω σε τι στέκονται τα όστρακα· διαγράψτε το και θα βρεθεί ξανά.</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Οι δείκτες του φύλλου διαβάζονται σε %1 από %2 φωτογραφίες της πλευράς %3· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι το plate.json περιγράφει αυτό το φύλλο, ότι οι φωτογραφίες δεν είναι ανεστραμμένες και ότι οι περισσότεροι δείκτες είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: διαβάζονται %2 δείκτες του φύλλου, πολύ λίγοι για θέση· παραλείπεται.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παραλείπονται φωτογραφίες που δείχνουν πολύ λίγους δείκτες του φύλλου για μια θέση (%1 και %2 ακόμη)· δείτε αν δείχνουν αυτό το φύλλο.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: οι περισσότεροι δείκτες του φύλλου βρίσκονται εκεί σε άλλη θέση από ό,τι δείχνουν οι άλλες φωτογραφίες· παραλείπεται.</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Φωτογραφήθηκε μόνο μία πλευρά: οι %1 σαρώσεις της είναι ανοιχτές επιφάνειες χωρίς πίσω όψη· βρίσκονται στο 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει plate.json, οπότε οι δείκτες του δίσκου δεν χρησιμοποιούνται· αντιγράψτε εδώ εκείνο που έγραψε το 'ostraka plate' μαζί με τον δίσκο.</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Ο φακός της εκτιμάται από τους δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φακός της κάμερας %1 δεν είναι γνωστός: δεν υπάρχουν ούτε χρήσιμες εικόνες του πίνακα βαθμονόμησης ούτε δείκτες του δίσκου· προσθέστε εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φακός της κάμερας %1 εκτιμήθηκε μόνο από τους δείκτες του δίσκου· για ακριβή μέτρα προσθέστε 12 εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>Καμία φωτογραφία της κάμερας %1 δεν δείχνει δύο δείκτες του δίσκου· όλες οι φωτογραφίες της παραλείπονται.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γνωστή διάταξη δεν ταιριάζει πια: η κάμερα %1 χάνει τους δείκτες κατά %2 px· οι θέσεις των καμερών εκτιμώνται εκ νέου για αυτή την παρτίδα, βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: κανένας από τους %2 δείκτες της δεν βρίσκεται εκεί όπου τους βλέπει αυτή η κάμερα σε αυτή τη στάση.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έχει το όνομα άλλης φωτογραφίας ή τραβήχτηκε ενώ ο δίσκος γύριζε· παραλείπεται.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: δεν φαίνεται κανένας δείκτης· δείχνει αυτή τη στάση; Αν όχι, τραβήξτε την ξανά.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο %1 φωτογραφίες της μπροστινής όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο %1 φωτογραφίες της πίσω όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 βλέπει λιγότερους από έξι δείκτες του δίσκου στη στάση %2· ελέγξτε εκεί φως και εστίαση, και ότι τίποτα δεν είναι πάνω στους δείκτες.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφήθηκαν μόνο %1 στάσεις· πάρτε τουλάχιστον τέσσερις σε όλη τη στροφή, για να βρεθεί ο άξονας.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φάνηκαν λιγότεροι από οκτώ δείκτες, οπότε καμία απόσταση δεν κρατήθηκε για έλεγχο: η κλίμακα δεν ελέγχθηκε.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ανάμεσα στους δείκτες %1 και %2 μετρήσατε %3 mm, κατά το plate.json είναι %4 mm (%5 %)· μετρήστε τον χάρακα του δίσκου και φτιάξτε ξανά το plate.json με 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μη χρησιμοποιήσιμη: η κάμερα %1 χάνει τους δείκτες του δίσκου κατά %2 px (διάμεσος)· μήπως αγγίχτηκε ανάμεσα στις φωτογραφίες, ή το plate.json είναι άλλου δίσκου;</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>Μη χρησιμοποιήσιμη: η κλίμακα δεν είναι σωστή.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καλή: φακοί, θέσεις και κλίμακα είναι καθορισμένα.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμη μόνο για δοκιμή: ο φακός της κάμερας %1 προκύπτει μόνο από τους δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμη, αλλά μια εστιακή απόσταση δεν είναι γνωστή καλύτερα από ένα χιλιοστό της τιμής της.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμη· όσα αναφέρονται παρακάτω θα τη βελτίωναν.</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), %4 εικόνες του πίνακα βαθμονόμησης με %5 px, χειρότερη η %6 με %7 px, κλίση ως %8 μοίρες.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), οι δείκτες του δίσκου με διάμεσο %4 px.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), %4 εικόνες του πίνακα βαθμονόμησης με %5 px, χειρότερη η %6 με %7 px, κλίση ως %8 μοίρες, οι δείκτες του δίσκου με διάμεσο %9 px.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: τραβήξτε 12 εικόνες του πίνακα βαθμονόμησης, από κοντά και από μακριά, σε όλες τις γωνίες της εικόνας, με κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο 1 εικόνα δείχνει τον πίνακα βαθμονόμησης· τραβήξτε τουλάχιστον 8, καλύτερα 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο %2 εικόνες δείχνουν τον πίνακα βαθμονόμησης· τραβήξτε τουλάχιστον 8, καλύτερα 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: ο πίνακας βαθμονόμησης μόλις φτάνει σε αυτά τα μέρη της εικόνας: %2· προσθέστε εικόνες με τον πίνακα βαθμονόμησης εκεί.</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Σφάλμα επαναπροβολής %1 px στους δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλίμακα: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλίμακα: οι δείκτες %1 και %2, με το χέρι %3 mm ανάμεσα στα μέσα των εξωτερικών πλευρών τους, απέχουν %4 mm στις φωτογραφίες (%5 %).</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Στην άκρη: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φακός είναι γνωστός, οι θέσεις των καμερών όχι: δεν μπορεί να αποθηκευτεί διάταξη.</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>Μη χρησιμοποιήσιμη: η εστιακή απόσταση δεν καθορίστηκε.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίστε και τον δίσκο με τους δείκτες του: βάλτε μία εικόνα ανά κάμερα και στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) δίπλα στο plate.json, τις εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δείκτης %1 του γνωστού μήκους δεν φαίνεται δύο φορές· ονομάστε δύο δείκτες του δίσκου που δείχνουν οι φωτογραφίες.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα γνωστό μήκος χρειάζεται δύο διαφορετικούς δείκτες και χιλιοστά πάνω από το μηδέν.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τέτοιος φάκελος· ονομάστε έναν με φωτογραφίες του δίσκου ή του πίνακα βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Περισσότεροι από πέντε όροι παραμόρφωσης για το '%1' δεν γίνονται κατανοητοί· διορθώστε πρώτα την παραμόρφωση των φωτογραφιών του.</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>Από μια εικόνα λείπει file, width, height, K, R ή t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο των καμερών δεν περιέχει λίστα 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 του COLMAP έχει το μοντέλο '%2' ή τιμές που δεν χρησιμοποιούνται εδώ· χρησιμοποιήστε OPENCV.</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>Το μοντέλο του COLMAP δεν έχει κάμερα για την εικόνα '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο έχει βλάβη ή δεν είναι όπως το γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή %1 δεν είναι όπως τη γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση αυτής της φωτογραφίας προσδιορίζεται χωρίς τη μάσκα της.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς plate.json οι θέσεις έρχονται από το COLMAP, που δεν είναι εγκατεστημένο· εγκαταστήστε το πακέτο 'colmap' ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το COLMAP βρήκε θέση για %1 από %2 φωτογραφίες, πολύ λίγες· δώστε μάσκες ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κλίμακα δεν είναι σωστή: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %)· ελέγξτε ότι το plate.json ανήκει σε αυτόν τον δίσκο, ότι ο δίσκος είναι σωστά τυπωμένος και κολλημένος, και ότι η γνωστή διάταξη βαθμονομήθηκε με αυτόν.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε σχέση με την κάμερα %1, η κάμερα %2 μετακινήθηκε κατά %3 mm και στράφηκε κατά %4 μοίρες από τη βαθμονόμηση της διάταξης.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ο πίνακας βαθμονόμησης δεν φαίνεται σε αυτήν· μπαίνει στην άκρη.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το λεξικό δεικτών '%1' δεν είναι γνωστό· χρησιμοποιήστε ένα όπως το DICT_4X4_100.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πλευρά των δεικτών πρέπει να είναι μεταξύ 5 και 200 mm.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάμετρος του δίσκου πρέπει να είναι μεταξύ 1 και 2000 mm.</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>Δείκτες %1 mm δεν αφήνουν χώρο για όστρακο σε δίσκο %2 mm· κάντε τον δίσκο μεγαλύτερο.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιθώριο του εκτυπωτή πρέπει να είναι μεταξύ 0 και 40 mm.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η επικάλυψη των φύλλων πρέπει να είναι μεταξύ 5 και 40 mm.</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>Το λεξικό %1 έχει πολύ λίγους δείκτες για αυτόν τον δίσκο.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όσο μετρά ο χάρακας πρέπει να είναι μήκος σε mm μέσα στον δίσκο.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο χάρακας αυτού του δίσκου σχεδιάστηκε με μήκος %1 mm, τα %2 mm διαφέρουν πάνω από ένα δέκατο· τυπώστε το αρχείο στο 100 %, χωρίς 'προσαρμογή στη σελίδα', και μετρήστε ξανά.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 έχει συνδιακύμανση άλλου μεγέθους· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η διάταξη γράφτηκε από άλλη έκδοση· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 υπάρχει δύο φορές στη διάταξη.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι αρχείο διάταξης (RIG.json)· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάταξη δεν έχει κάμερα· βαθμονομήστε την ξανά.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο υπάρχει ήδη και δεν είναι διάταξη· ονομάστε άλλο.</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>Το ημερολόγιο δεν γράφεται.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν ξεκινά καμία διεργασία.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πρόγραμμα χάθηκε.</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>Το πρόγραμμα δεν ξεκινά· εγκαταστήστε το.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 τελείωσε με σφάλμα· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
     </message>
@@ -8769,7 +8769,7 @@
       <translation>Η κάμερα δεν τράβηξε φωτογραφία.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το COLMAP δεν βρίσκει πώς συνδέονται αυτές οι φωτογραφίες· τα μηνύματά του βρίσκονται σε αυτό το αρχείο. Δείτε αν όλες δείχνουν τα ίδια όστρακα με μεγάλη επικάλυψη, ή φωτογραφίστε σε πλάκα με σημάδια.</translation>
     </message>

@@ -5304,7 +5304,7 @@
       <translation>Cámara %1: su balance de blancos no es el mismo en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ninguna cámara explica las imágenes de calibración.</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>El lado de un marcador debe estar entre 0,5 y 1000 mm; mida un cuadrado negro en el papel.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En estas %2 fotos no se lee ninguna hoja con al menos %1 marcadores de los diccionarios de OpenCV; tome fotos que muestren más de ella, o indique su plate.json.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su borde.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se ve el tablero; esta imagen se omite.</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Una cuadrícula de marcas necesita 'dictionary', 'markers_x', 'markers_y', 'marker_length' y 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay nada con que calibrar: fotografíe el plato en cada parada en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay imágenes del tablero; póngalas aquí o en 'calib'.</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Se aparta.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: su tamaño no es el de la primera; se aparta.</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>El ajuste del equipo no llegó a una solución; compruebe que plate.json y board.json describen lo que se fotografió.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No indica cómo están curvadas las hojas; borre el archivo y se medirán de nuevo.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No dice sobre qué están los fragmentos; bórrelo y se determinará de nuevo.</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Las marcas de la hoja se leen en %1 de %2 fotografías del lado %3; se necesitan al menos 3. Compruebe que plate.json describe esta hoja, que las fotografías no están invertidas y que la mayoría de las marcas están en la imagen.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: en ella se leen %2 marcas de la hoja, muy pocas para una pose; se deja fuera.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten fotografías que muestran muy pocas marcas de la hoja para una pose (%1 y %2 más); compruebe si muestran esta hoja.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la mayoría de las marcas de la hoja están en ella en otro lugar del que indican las demás fotografías; se omite.</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Solo se fotografió un lado: sus %1 escaneos son superficies abiertas sin reverso; están en 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay plate.json, así que no se pueden usar las marcas del plato; copie aquí el que 'ostraka plate' escribió con el plato.</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Su objetivo se estima con las marcas del plato.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se conoce el objetivo de la cámara %1: no hay imágenes útiles del tablero ni marcas del plato; añada imágenes del tablero a 'calib'.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El objetivo de la cámara %1 se estimó solo con las marcas del plato; para medidas exactas, añada 12 imágenes del tablero a 'calib'.</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>Ninguna foto de la cámara %1 muestra dos marcas del plato; se omiten todas sus fotos.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo conocido ya no coincide: la cámara %1 yerra las marcas por %2 px; los lugares de las cámaras se estiman de nuevo para esta tanda, calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ninguna de sus %2 marcas está donde esta cámara las ve en esta parada.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lleva el nombre de otra foto, o se tomó mientras el plato giraba; se omite.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se ve en ella ninguna marca; ¿muestra esta parada? Si no, tómela otra vez.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo %1 fotos del anverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo %1 fotos del reverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 ve menos de seis marcas del plato en la parada %2; revise allí la luz y el enfoque, y que no haya nada sobre las marcas.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo se fotografiaron %1 paradas; tome al menos cuatro en toda la vuelta, para que se encuentre el eje.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se vieron menos de ocho marcas, así que no se pudo reservar ninguna distancia para el control: la escala no está comprobada.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entre las marcas %1 y %2 usted midió %3 mm, según plate.json son %4 mm (%5 %); mida la regla del plato y haga de nuevo plate.json con 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; ¿se tocó entre las fotos, o plate.json es de otro plato?</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>No utilizable: la escala no es correcta.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bien: objetivos, lugares y escala están determinados.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilizable solo para una prueba: el objetivo de la cámara %1 procede solo de las marcas del plato.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilizable, pero una distancia focal no se conoce con más precisión que una milésima.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilizable; lo que se nombra abajo la mejoraría.</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: distancia focal %2 px (%3 %), las marcas del plato con %4 px de mediana.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados, las marcas del plato con %9 px de mediana.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: tome 12 imágenes del tablero, de cerca y de lejos, en todas las esquinas de la imagen, inclinado de 20 a 45 grados en distintas direcciones.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo 1 imagen muestra el tablero; tome al menos 8, mejor 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo %2 imágenes muestran el tablero; tome al menos 8, mejor 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: el tablero apenas llega a estas partes de la imagen: %2; añada imágenes con el tablero allí.</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Error de reproyección %1 px en las marcas del plato.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escala: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escala: las marcas %1 y %2, a mano %3 mm entre los centros de sus bordes exteriores, están a %4 mm en las fotos (%5 %).</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Apartado: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se conoce el objetivo, pero no los lugares de las cámaras: no se puede guardar ningún equipo.</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>No utilizable: la distancia focal no está determinada.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotografíe también el plato con sus marcas: ponga una imagen por cámara y parada en 'front' (cam0_pos00.jpg, etc.) junto a plate.json, y las imágenes del tablero en 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marca %1 de la longitud conocida no se ve dos veces; nombre dos marcas del plato que muestren las fotos.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una longitud conocida necesita dos marcas distintas y milímetros mayores que cero.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esa carpeta no existe; nombre una con fotos del plato o del tablero.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se entienden más de cinco términos de distorsión para '%1'; corrija antes la distorsión de sus fotos.</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>A una imagen le falta file, width, height, K, R o t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo de cámaras no contiene una lista 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 de COLMAP tiene el modelo '%2' o valores que aquí no se pueden usar; use OPENCV.</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>El modelo de COLMAP no tiene cámara para la imagen '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo está dañado o no es como lo escribe COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La línea %1 no es como la escribe COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de esta foto se determina sin su máscara.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sin plate.json las poses vienen de COLMAP, que no está instalado; instale el paquete 'colmap' o fotografíe sobre un plato con marcas.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP encontró la pose de %1 de %2 fotos, muy pocas; dé máscaras o fotografíe sobre un plato con marcas.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La escala no es correcta: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %); compruebe que plate.json es de este plato, que está impreso y pegado con exactitud, y que un equipo conocido se calibró con él.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Respecto a la cámara %1, la cámara %2 se ha movido %3 mm y ha girado %4 grados desde que se calibró el equipo.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se ve en ella el tablero; se aparta.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El diccionario de marcas '%1' no se conoce; use uno como DICT_4X4_100.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El lado de las marcas debe estar entre 5 y 200 mm.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El diámetro del plato debe estar entre 1 y 2000 mm.</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>Marcas de %1 mm no dejan sitio para un fragmento en un plato de %2 mm; haga el plato más grande.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El margen de la impresora debe estar entre 0 y 40 mm.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El solape de las hojas debe estar entre 5 y 40 mm.</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>El diccionario %1 tiene muy pocas marcas para este plato.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que mide la regla debe ser una longitud en mm que quepa en el plato.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La regla de este plato está dibujada con %1 mm, %2 mm se aparta más de una décima parte; imprima el archivo al 100 %, sin 'ajustar a la página', y mida otra vez.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 tiene una covarianza de otro tamaño; calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este equipo lo escribió otra versión; calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 aparece dos veces en el equipo.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es un archivo de equipo (RIG.json); calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo no tiene cámara; calíbrelo otra vez.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo ya existe y no es un equipo; nombre otro.</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>No se puede escribir el registro.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede iniciar ningún proceso.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se perdió el programa.</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>No se puede iniciar el programa; instálelo.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 terminó con un error; sus mensajes están en este archivo.</translation>
     </message>
@@ -8769,7 +8769,7 @@
       <translation>La cámara no ha tomado ninguna foto.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP no encuentra cómo encajan estas fotografías; sus mensajes están en este archivo. Compruebe que todas muestran los mismos fragmentos con mucho solape, o fotografíe sobre una placa con marcas.</translation>
     </message>

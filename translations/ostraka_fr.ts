@@ -5304,7 +5304,7 @@
       <translation>Appareil %1 : sa balance des blancs n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun appareil n’explique les images de calibration.</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>Le côté d’un marqueur doit être compris entre 0,5 et 1000 mm ; mesurez un carré noir sur le papier.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune feuille portant au moins %1 marqueurs des dictionnaires d’OpenCV n’est lue dans ces %2 photos ; prenez des photos qui en montrent plus, ou indiquez son plate.json.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec son bord.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la mire ne se voit pas ; cette image est laissée de côté.</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Une grille de marques demande 'dictionary', 'markers_x', 'markers_y', 'marker_length' et 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas d’images de la mire ; mettez-les ici, ou dans 'calib'.</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Elle est mise de côté.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : sa taille n’est pas celle de la première ; elle est mise de côté.</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>L’ajustement du banc n’a pas abouti ; vérifiez que plate.json et board.json décrivent ce qui a été photographié.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y est pas dit comment les feuilles sont courbées ; supprimez ce fichier, elles seront mesurées à nouveau.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il ne dit pas sur quoi reposent les tessons ; supprimez-le, et cela sera déterminé à nouveau.</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Les marques de la feuille se lisent sur %1 des %2 photographies du côté %3 ; il en faut au moins 3. Vérifiez que plate.json décrit cette feuille, que les photographies ne sont pas inversées et que la plupart des marques sont dans l’image.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; elle est laissée de côté.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des photographies montrant trop peu de marques de la feuille pour une pose sont laissées de côté (%1 et %2 autres) ; vérifiez qu’elles montrent cette feuille.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la plupart des marques de la feuille s’y trouvent ailleurs que ne le disent les autres photographies ; elle est laissée de côté.</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Un seul côté a été photographié : ses %1 scans sont des surfaces ouvertes sans revers ; ils sont dans 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de plate.json, les marques du plateau ne peuvent donc pas servir ; copiez ici celui que 'ostraka plate' a écrit avec le plateau.</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Son objectif est estimé d’après les marques du plateau.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’objectif de l’appareil %1 n’est pas connu : il n’y a ni images utilisables de la mire ni marques du plateau ; ajoutez des images de la mire à 'calib'.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’objectif de l’appareil %1 a été estimé d’après les seules marques du plateau ; pour des mesures exactes, ajoutez 12 images de la mire à 'calib'.</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>Aucune photo de l’appareil %1 ne montre deux marques du plateau ; toutes ses photos sont laissées de côté.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc connu ne convient plus : l’appareil %1 manque les marques de %2 px ; les places des appareils sont estimées à nouveau pour ce lot, calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : aucune de ses %2 marques n’est là où cet appareil les voit à cet arrêt.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elle porte le nom d’une autre photo, ou a été prise pendant que le plateau tournait ; elle est laissée de côté.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : aucune marque ne s’y voit ; montre-t-elle cet arrêt ? Sinon, reprenez-la.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seules %1 photos de la face avant ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seules %1 photos de la face arrière ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 voit moins de six marques du plateau à l’arrêt %2 ; vérifiez-y la lumière et la mise au point, et que rien n’est posé sur les marques.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seuls %1 arrêts ont été photographiés ; prenez-en au moins quatre sur tout le tour, pour que l’axe soit trouvé.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Moins de huit marques ont été vues, aucune distance n’a donc pu être gardée pour le contrôle : l’échelle n’est pas vérifiée.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entre les marques %1 et %2 vous avez mesuré %3 mm, plate.json donne %4 mm (%5 %) ; mesurez la règle du plateau et refaites plate.json avec 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; a-t-il été touché entre les photos, ou plate.json est-il d’un autre plateau ?</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>Inutilisable : l’échelle n’est pas juste.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bon : objectifs, places et échelle sont déterminés.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilisable pour un essai seulement : l’objectif de l’appareil %1 vient des seules marques du plateau.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilisable, mais une distance focale n’est pas connue à mieux qu’un millième.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilisable ; ce qui est nommé ci-dessous l’améliorerait.</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : distance focale %2 px (%3 %), les marques du plateau à %4 px en médiane.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés, les marques du plateau à %9 px en médiane.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : prenez 12 images de la mire, de près et de loin, dans tous les coins de l’image, inclinée de 20 à 45 degrés dans différentes directions.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : une seule image montre la mire ; prenez-en au moins 8, mieux 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : seules %2 images montrent la mire ; prenez-en au moins 8, mieux 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la mire atteint à peine ces parties de l’image : %2 ; ajoutez des images avec la mire à cet endroit.</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Erreur de reprojection %1 px sur les marques du plateau.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Échelle : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Échelle : les marques %1 et %2, à %3 mm à la main entre les milieux de leurs bords extérieurs, sont à %4 mm sur les photos (%5 %).</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Mis de côté : %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’objectif est connu, les places des appareils ne le sont pas : aucun banc ne peut être enregistré.</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>Inutilisable : la distance focale n’est pas déterminée.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photographiez aussi le plateau avec ses marques : mettez une image par appareil et par arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) à côté de plate.json, les images de la mire dans 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marque %1 de la longueur connue n’est pas vue deux fois ; nommez deux marques du plateau que les photos montrent.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une longueur connue demande deux marques différentes et des millimètres supérieurs à zéro.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’existe pas ; nommez-en un avec des photos du plateau ou de la mire.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plus de cinq termes de distorsion pour '%1' ne sont pas compris ; corrigez d’abord la distorsion de ses photos.</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>Il manque à une image file, width, height, K, R ou t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier des appareils ne contient pas de liste 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 de COLMAP a le modèle '%2' ou des valeurs inutilisables ici ; prenez plutôt OPENCV.</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>Le modèle de COLMAP n’a pas d’appareil pour l’image '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier est abîmé ou n’est pas tel que COLMAP l’écrit ; relancez COLMAP.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne %1 n’est pas telle que COLMAP l’écrit ; relancez COLMAP.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de cette photo est déterminée sans son masque.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sans plate.json les poses viennent de COLMAP, qui n’est pas installé ; installez le paquet 'colmap' ou photographiez sur un plateau à marques.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP a trouvé la pose de %1 photos sur %2, trop peu ; donnez des masques ou photographiez sur un plateau à marques.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’échelle n’est pas juste : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %) ; vérifiez que plate.json est bien celui de ce plateau, qu’il est imprimé et collé fidèlement, et qu’un banc connu a été calibré avec lui.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Par rapport à l’appareil %1, l’appareil %2 s’est déplacé de %3 mm et a tourné de %4 degrés depuis la calibration du banc.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la mire ne s’y voit pas ; elle est mise de côté.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dictionnaire de marques '%1' n’est pas connu ; prenez-en un comme DICT_4X4_100.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le côté des marques doit être compris entre 5 et 200 mm.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le diamètre du plateau doit être compris entre 1 et 2000 mm.</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>Des marques de %1 mm ne laissent pas de place pour un tesson sur un plateau de %2 mm ; agrandissez le plateau.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marge de l’imprimante doit être comprise entre 0 et 40 mm.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le recouvrement des feuilles doit être compris entre 5 et 40 mm.</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>Le dictionnaire %1 a trop peu de marques pour ce plateau.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce que mesure la règle doit être une longueur en mm qui tient sur le plateau.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La règle de ce plateau est dessinée longue de %1 mm, %2 mm s’en écarte de plus d’un dixième ; imprimez le fichier à 100 %, sans 'ajuster à la page', et mesurez de nouveau.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 a une covariance d’une autre taille ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce banc a été écrit par une autre version ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 figure deux fois dans le banc.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier de banc (RIG.json) ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc n’a pas d’appareil ; calibrez-le de nouveau.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier existe déjà et n’est pas un banc ; nommez-en un autre.</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>Le journal ne peut pas être écrit.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun processus ne peut être lancé.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le programme a été perdu.</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>Le programme ne peut pas être lancé ; installez-le.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 s’est terminé par une erreur ; ses messages sont dans ce fichier.</translation>
     </message>
@@ -8769,7 +8769,7 @@
       <translation>L’appareil n’a pris aucune photo.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP ne trouve pas comment ces photographies vont ensemble ; ses messages sont dans ce fichier. Vérifiez que toutes montrent les mêmes tessons avec un large recouvrement, ou photographiez sur un plateau à repères.</translation>
     </message>

@@ -5304,7 +5304,7 @@
       <translation>Տեսախցիկ %1. սպիտակի հաշվեկշիռը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի տեսախցիկ չի բացատրում տրամաչափման նկարները։</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>Նշիչի կողմը պետք է լինի 0,5-ից 1000 մմ. չափեք թղթի վրայի սև քառակուսին։</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս %2 լուսանկարներում չի կարդացվում OpenCV-ի բառարանների առնվազն %1 նշիչով թերթ. արեք լուսանկարներ, որոնք այն ավելի են ցույց տալիս, կամ նշեք դրա plate.json-ը։</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր եզրով։</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. տրամաչափման տախտակը չի երևում. այս պատկերը բաց է թողնվում։</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Նշիչների ցանցին պետք են 'dictionary', 'markers_x', 'markers_y', 'marker_length' և 'marker_separation'։</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր կանգառում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տախտակի պատկերներ չկան. դրեք դրանք այստեղ կամ 'calib'-ի մեջ։</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Այն մի կողմ է դրվում։</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. չափը առաջինինը չէ. մի կողմ է դրվում։</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>Սարքակազմի հաշվարկը լուծման չհասավ. ստուգեք, որ plate.json և board.json ֆայլերը նկարագրում են այն, ինչ լուսանկարվել է։</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չի ասում, թե ինչպես են ծռված թերթերը. ջնջեք ֆայլը, և դրանք կչափվեն նորից։</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չի ասում, թե ինչի վրա են կանգնած բեկորները. ջնջեք այն, և դա նորից կգտնվի։</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Թերթի նշանները կարդացվում են %3 կողմի %2 լուսանկարներից %1-ում. հարկավոր է առնվազն 3։ Ստուգեք, որ plate.json-ը նկարագրում է այս թերթը, որ լուսանկարները հայելային չեն, և որ նշանների մեծ մասը նկարում է։</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: կարդացվում է թերթի %2 նշան, շատ քիչ՝ դիրքի համար. բաց է թողնված։</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաց են թողնվում լուսանկարներ, որոնք դիրքի համար թերթի շատ քիչ նշաններ են ցույց տալիս (%1 և ևս %2). ստուգեք՝ արդյոք դրանք այս թերթն են ցույց տալիս։</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. թերթի նշանների մեծ մասը դրանում այլ տեղում է, քան ցույց են տալիս մյուս լուսանկարները. այն բաց է թողնվում։</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Լուսանկարվել է միայն մեկ կողմը. դրա %1 սկանները բաց մակերեսներ են՝ առանց հակառակ կողմի. դրանք 'unpaired'-ում են։</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json չկա, ուստի սկավառակի նշիչները չեն կարող օգտագործվել. այստեղ պատճենեք այն, որը 'ostraka plate'-ը գրել է սկավառակի հետ։</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Դրա օբյեկտիվը փոխարենը գնահատվում է սկավառակի նշիչներով։</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի օբյեկտիվը հայտնի չէ. չկան ո՛չ տախտակի պիտանի պատկերներ, ո՛չ սկավառակի նշիչներ. 'calib'-ին ավելացրեք տախտակի պատկերներ։</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի օբյեկտիվը գնահատվել է միայն սկավառակի նշիչներով. ճշգրիտ չափերի համար 'calib'-ին ավելացրեք տախտակի 12 պատկեր։</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>%1 տեսախցիկի ոչ մի լուսանկար ցույց չի տալիս սկավառակի երկու նշիչ. դրա բոլոր լուսանկարները բաց են թողնվում։</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հայտնի սարքակազմն այլևս չի համապատասխանում. %1 տեսախցիկը վրիպում է նշիչներից %2 px. տեսախցիկների տեղերն այս խմբաքանակի համար նորից են գնահատվում, նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա %2 նշիչներից ոչ մեկն այնտեղ չէ, որտեղ այս տեսախցիկը դրանք տեսնում է այս կանգառում։</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն կրում է այլ լուսանկարի անուն կամ արվել է սկավառակի պտտվելիս. բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա վրա ոչ մի նշիչ չի երևում. այս կանգառը ցո՞ւյց է տալիս։ Եթե ոչ, նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկը %2 կանգառում տեսնում է սկավառակի վեցից քիչ նշիչ. ստուգեք այնտեղի լույսն ու ֆոկուսը, և որ նշիչների վրա ոչինչ դրված չէ։</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարվել է միայն %1 կանգառ. լրիվ պտույտի վրա արեք առնվազն չորսը, որ առանցքը գտնվի։</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երևացել է ութից քիչ նշիչ, ուստի ստուգման համար ոչ մի հեռավորություն չի պահվել. մասշտաբը ստուգված չէ։</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 և %2 նշիչների միջև դուք չափել եք %3 մմ, ըստ plate.json-ի՝ %4 մմ (%5 %). չափեք սկավառակի քանոնը և նորից ստեղծեք plate.json-ը 'ostraka plate --ruler-measured' հրամանով։</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի չէ. %1 տեսախցիկը սկավառակի նշիչներից վրիպում է %2 px (մեդիան). լուսանկարների միջև դրան դիպե՞լ են, թե՞ plate.json-ն այլ սկավառակի է։</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>Պիտանի չէ. մասշտաբը ճիշտ չէ։</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լավ է. օբյեկտիվները, տեղերն ու մասշտաբը որոշված են։</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի է միայն փորձի համար. %1 տեսախցիկի օբյեկտիվը որոշված է միայն սկավառակի նշիչներով։</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի է, բայց մի ֆոկուսային հեռավորություն հայտնի է ոչ ավելի ճշգրիտ, քան հազարերորդ մասով։</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի է. ստորև նշվածը կլավացներ այն։</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), տախտակի %4 պատկեր՝ %5 px, վատագույնը՝ %6, %7 px, թեքությունը՝ մինչև %8 աստիճան։</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), սկավառակի նշիչները՝ %4 px (մեդիան)։</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), տախտակի %4 պատկեր՝ %5 px, վատագույնը՝ %6, %7 px, թեքությունը՝ մինչև %8 աստիճան, սկավառակի նշիչները՝ %9 px (մեդիան)։</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. արեք տախտակի 12 պատկեր՝ մոտիկից ու հեռվից, պատկերի բոլոր անկյուններում, տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց է տալիս միայն 1 պատկեր. արեք առնվազն 8, ավելի լավ է՝ 12։</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս միայն %2 պատկեր. արեք առնվազն 8, ավելի լավ է՝ 12։</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը գրեթե չի հասնում պատկերի այս մասերին՝ %2. ավելացրեք պատկերներ, որտեղ տախտակն այնտեղ է։</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Վերապրոյեկտման սխալը սկավառակի նշիչների վրա՝ %1 px։</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %)։</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբ. %1 և %2 նշիչների արտաքին կողմերի միջնակետերի միջև ձեռքով չափված է %3 մմ, լուսանկարներում՝ %4 մմ (%5 %)։</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Մի կողմ է դրված՝ %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օբյեկտիվը հայտնի է, տեսախցիկների տեղերը՝ ոչ. սարքակազմ պահել հնարավոր չէ։</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>Պիտանի չէ. ֆոկուսային հեռավորությունը որոշված չէ։</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարեք նաև սկավառակը՝ իր նշիչներով. յուրաքանչյուր տեսախցիկի և կանգառի համար մեկ պատկեր դրեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ) plate.json-ի կողքին, տախտակի պատկերները՝ 'calib'-ի մեջ։</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հայտնի երկարության %1 նշիչը երկու անգամ չի երևում. նշեք սկավառակի երկու նշիչ, որոնք լուսանկարներում կան։</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հայտնի երկարությանը պետք են երկու տարբեր նշիչ և զրոյից մեծ միլիմետրեր։</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այդպիսի պանակ չկա. նշեք սկավառակի կամ տախտակի լուսանկարներով պանակ։</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ի աղավաղման հինգից ավելի անդամները չեն ընկալվում. նախ ուղղեք դրա լուսանկարների աղավաղումը։</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>Մի պատկերի պակասում է file, width, height, K, R կամ t (%1)։</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկների ֆայլում 'images' ցուցակ չկա։</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ի %1 տեսախցիկն ունի '%2' մոդելը կամ արժեքներ, որոնք այստեղ պիտանի չեն. փոխարենը օգտագործեք OPENCV։</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>COLMAP-ի մոդելը '%1' պատկերի համար տեսախցիկ չունի։</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը վնասված է կամ այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տողն այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարի դիրքը որոշվում է առանց իր դիմակի։</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առանց plate.json-ի դիրքերը տալիս է COLMAP-ը, որը տեղադրված չէ. տեղադրեք 'colmap' փաթեթը կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ը գտել է %2 լուսանկարից %1-ի դիրքը, ինչը շատ քիչ է. տվեք դիմակներ կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբը ճիշտ չէ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %). ստուգեք, որ plate.json-ն այս սկավառակինն է, որ այն ճիշտ է տպված ու սոսնձված, և որ հայտնի սարքակազմը տրամաչափվել է դրանով։</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի համեմատ %2 տեսախցիկը սարքակազմի տրամաչափումից հետո տեղաշարժվել է %3 մմ և պտտվել %4 աստիճանով։</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա վրա տախտակը չի երևում. մի կողմ է դրվում։</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նշիչների '%1' բառարանը հայտնի չէ. օգտագործեք DICT_4X4_100-ի նմանը։</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նշիչների կողմը պետք է լինի 5-ից 200 մմ։</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի տրամագիծը պետք է լինի 1-ից 2000 մմ։</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>%1 մմ նշիչները %2 մմ սկավառակի վրա բեկորի համար տեղ չեն թողնում. մեծացրեք սկավառակը։</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպիչի լուսանցքը պետք է լինի 0-ից 40 մմ։</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թերթերի վերածածկը պետք է լինի 5-ից 40 մմ։</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>%1 բառարանն այս սկավառակի համար շատ քիչ նշիչ ունի։</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Քանոնի չափը պետք է լինի սկավառակի մեջ տեղավորվող երկարություն՝ մմ-ով։</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկավառակի քանոնը գծված է %1 մմ երկարությամբ, %2 մմ-ը տարբերվում է ավելի քան մեկ տասներորդով. տպեք ֆայլը 100 %-ով, առանց 'հարմարեցնել էջին', և նորից չափեք։</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի կովարիացիայի չափն այլ է. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սարքակազմը գրել է այլ տարբերակ. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկը սարքակազմում երկու անգամ է։</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա սարքակազմի ֆայլ (RIG.json) չէ. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմը տեսախցիկ չունի. նորից տրամաչափեք այն։</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլն արդեն կա և սարքակազմ չէ. նշեք ուրիշը։</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>Մատյանը գրել հնարավոր չէ։</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի գործընթաց հնարավոր չէ սկսել։</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ծրագիրը կորավ։</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>Ծրագիրը չի գործարկվում. տեղադրեք այն։</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն ավարտվեց սխալով. դրա հաղորդագրություններն այս ֆայլում են։</translation>
     </message>
@@ -8769,7 +8769,7 @@
       <translation>Տեսախցիկը ոչ մի լուսանկար չի արել։</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ը չի գտնում, թե ինչպես են այս լուսանկարները միմյանց համապատասխանում. նրա հաղորդագրություններն այս ֆայլում են։ Ստուգեք՝ արդյոք բոլորը նույն բեկորներն են ցույց տալիս մեծ համընկնումով, կամ լուսանկարեք նշաններով սկուտեղի վրա։</translation>
     </message>

@@ -5256,7 +5256,7 @@
       <translation>Kamera %1: beyaz dengesi bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir kamera ayar resimlerini açıklamıyor.</translation>
     </message>
@@ -5521,7 +5521,7 @@
       <translation>Bir işaretin kenarı 0,5 ile 1000 mm arasında olmalı; kâğıttaki siyah bir kareyi ölçün.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu %2 fotoğrafta OpenCV sözlüklerinden en az %1 işaretli bir sayfa okunmuyor; onu daha çok gösteren fotoğraflar çekin ya da plate.json dosyasını belirtin.</translation>
     </message>
@@ -8006,7 +8006,7 @@
       <translation>Kırık kenarında 50’den az nokta var; parçayı kenarıyla birlikte yeniden tarayın.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ayar levhası görünmüyor; bu resim atlanıyor.</translation>
     </message>
@@ -8021,12 +8021,12 @@
       <translation>Bir işaret ızgarası 'dictionary', 'markers_x', 'markers_y', 'marker_length' ve 'marker_separation' ister.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayarlamak için bir şey yok: tablayı her durakta 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasını 'calib' içine fotoğraflayın ve yanlarına plate.json ile board.json dosyalarını kopyalayın.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayar levhasının resmi yok; buraya ya da 'calib' içine koyun.</translation>
     </message>
@@ -8036,7 +8036,7 @@
       <translation>Kenara ayrılır.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: boyutu ilkininki gibi değil; kenara ayrılır.</translation>
     </message>
@@ -8046,12 +8046,12 @@
       <translation>Düzeneğin hesabı bir çözüme varmadı; plate.json ve board.json dosyalarının fotoğraflananı anlattığını denetleyin.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfaların nasıl eğildiğini söylemiyor; dosyayı silin, yeniden ölçülür.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaların neyin üzerinde durduğunu söylemiyor; silin, yeniden bulunur.</translation>
     </message>
@@ -8061,17 +8061,17 @@
       <translation>Sayfanın işaretleri %3 tarafının %2 fotoğrafından %1 tanesinde okunabiliyor; en az 3 gerekir. plate.json dosyasının bu sayfayı tanımladığını, fotoğrafların ters çevrilmediğini ve işaretlerin çoğunun resimde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: sayfanın %2 işareti okunabiliyor, konum için çok az; dışarıda bırakıldı.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Konum için sayfanın çok az işaretini gösteren fotoğraflar dışarıda bırakılıyor (%1 ve %2 tane daha); bu sayfayı gösterip göstermediklerine bakın.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: sayfanın işaretlerinin çoğu bu fotoğrafta ötekilerin gösterdiğinden başka yerde; fotoğraf dışarıda bırakılıyor.</translation>
     </message>
@@ -8081,7 +8081,7 @@
       <translation>Yalnızca bir taraf fotoğraflandı: %1 taraması arkası olmayan açık yüzeylerdir; 'unpaired' içindedir.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json yok, bu yüzden tablanın işaretleri kullanılamıyor; 'ostraka plate' komutunun tablayla birlikte yazdığını buraya kopyalayın.</translation>
     </message>
@@ -8096,12 +8096,12 @@
       <translation>Objektifi bunun yerine tablanın işaretlerinden kestirilir.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 objektifi bilinmiyor: ne kullanılabilir ayar levhası resmi ne de tablanın işaretleri var; 'calib' içine ayar levhasının resimlerini ekleyin.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 objektifi yalnız tablanın işaretlerinden kestirildi; kesin ölçüler için 'calib' içine ayar levhasının 12 resmini ekleyin.</translation>
     </message>
@@ -8116,57 +8116,57 @@
       <translation>Kamera %1 fotoğraflarının hiçbirinde tablanın iki işareti görünmüyor; bütün fotoğrafları atlanıyor.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilinen düzenek artık uymuyor: kamera %1 işaretleri %2 px kaçırıyor; kameraların yerleri bu parti için yeniden kestirilir, düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 işaretinden hiçbiri bu kameranın bu durakta gördüğü yerde değil.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir fotoğrafın adını taşıyor ya da tabla dönerken çekilmiş; atlanıyor.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: içinde hiç işaret görünmüyor; bu durağı mı gösteriyor? Değilse yeniden çekin.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün yalnız %1 fotoğrafının duruşu bilinir, en az 3 gerekir; tablanın işaretlerinin aydınlık ve resmin içinde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün yalnız %1 fotoğrafının duruşu bilinir, en az 3 gerekir; tablanın işaretlerinin aydınlık ve resmin içinde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1, %2 durağında tablanın altıdan az işaretini görüyor; oradaki ışığa ve odağa, işaretlerin üstünde bir şey olmadığına bakın.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız %1 durak fotoğraflandı; eksenin bulunması için tam tur boyunca en az dört durak çekin.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sekizden az işaret görüldü, bu yüzden denetim için hiçbir uzaklık ayrılamadı: ölçek denetlenmedi.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ve %2 işaretleri arasında %3 mm ölçtünüz, plate.json dosyasına göre %4 mm (%5 %); tablanın cetvelini ölçün ve plate.json dosyasını 'ostraka plate --ruler-measured' ile yeniden yapın.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılamaz: kamera %1 tablanın işaretlerini ortanca %2 px kaçırıyor; fotoğraflar arasında ona dokunuldu mu, yoksa plate.json başka bir tablanın mı?</translation>
     </message>
@@ -8176,22 +8176,22 @@
       <translation>Kullanılamaz: ölçek doğru değil.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İyi: objektifler, yerler ve ölçek belirlendi.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız deneme için kullanılabilir: kamera %1 objektifi yalnız tablanın işaretlerinden geliyor.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılabilir, ama bir odak uzaklığı binde birden daha iyi bilinmiyor.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılabilir; aşağıda anılanlar onu iyileştirir.</translation>
     </message>
@@ -8206,32 +8206,32 @@
       <translation>Kamera %1: odak uzaklığı %2 px (%3 %), ayar levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı %2 px (%3 %), tablanın işaretleri ortanca %4 px.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı %2 px (%3 %), ayar levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik, tablanın işaretleri ortanca %9 px.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhasının 12 resmini çekin; yakından ve uzaktan, resmin bütün köşelerinde, değişik yönlere 20 ile 45 derece eğik.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız 1 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız %2 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası resmin şu bölgelerine pek ulaşmıyor: %2; ayar levhasının orada olduğu resimler ekleyin.</translation>
     </message>
@@ -8301,12 +8301,12 @@
       <translation>Tablanın işaretlerinde geri izdüşüm hatası %1 px.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek: %1 ve %2 işaretlerinin dış kenarlarının ortaları arası elle %3 mm, fotoğraflarda %4 mm (%5 %).</translation>
     </message>
@@ -8316,7 +8316,7 @@
       <translation>Kenara ayrıldı: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Objektif biliniyor, kameraların yerleri bilinmiyor: düzenek kaydedilemez.</translation>
     </message>
@@ -8326,27 +8326,27 @@
       <translation>Kullanılamaz: odak uzaklığı belirlenmedi.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablayı işaretleriyle de fotoğraflayın: her kamera ve durak için bir resmi plate.json yanındaki 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasının resimlerini 'calib' içine koyun.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilinen uzunluğun %1 işareti iki kez görünmüyor; tablanın fotoğraflarda görünen iki işaretini verin.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilinen bir uzunluk iki ayrı işaret ve sıfırdan büyük milimetre ister.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Böyle bir klasör yok; tablanın ya da ayar levhasının fotoğrafları olan birini verin.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' için beşten fazla bozulma terimi anlaşılmıyor; önce fotoğraflarının bozulmasını giderin.</translation>
     </message>
@@ -8366,12 +8366,12 @@
       <translation>Bir resimde file, width, height, K, R ya da t eksik (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera dosyasında 'images' listesi yok.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP kamerası %1, '%2' modelini ya da burada kullanılamayan değerler taşıyor; yerine OPENCV kullanın.</translation>
     </message>
@@ -8381,117 +8381,117 @@
       <translation>COLMAP modelinde '%1' resmi için kamera yok.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya bozuk ya da COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. satır COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğrafın duruşu maskesi olmadan bulunur.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json olmadan duruşlar COLMAP’ten gelir, o da kurulu değil; 'colmap' paketini kurun ya da işaretli bir tabla üzerinde fotoğraflayın.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP, %2 fotoğraftan %1 tanesinin duruşunu buldu, çok az; maske verin ya da işaretli bir tabla üzerinde fotoğraflayın.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek doğru değil: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %); plate.json dosyasının bu tablanın olduğunu, tablanın doğru basılıp yapıştırıldığını ve bilinen düzeneğin onunla ayarlandığını denetleyin.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 ile karşılaştırıldığında kamera %2, düzenek ayarlandığından beri %3 mm kaymış ve %4 derece dönmüş.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve ayar levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir resimde ayar levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir ayar levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve ayar levhasının düzlüğünü denetleyin.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: en kötü resim %2, %3 px ile; yeniden çekin ya da çıkarın.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız %2 ayar resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir kamera ayar resimlerini açıklamıyor.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve ayar levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir resimde ayar levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir ayar levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve ayar levhasının düzlüğünü denetleyin.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: en kötü resim %2, %3 px ile; yeniden çekin ya da çıkarın.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız %2 ayar resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir kamera ayar resimlerini açıklamıyor.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: içinde ayar levhası görünmüyor; kenara ayrılır.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' işaret sözlüğü bilinmiyor; DICT_4X4_100 gibi birini kullanın.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İşaretlerin kenarı 5 ile 200 mm arasında olmalı.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın çapı 1 ile 2000 mm arasında olmalı.</translation>
     </message>
@@ -8516,12 +8516,12 @@
       <translation>%1 mm’lik işaretler %2 mm’lik tablada parçaya yer bırakmaz; tablayı büyütün.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yazıcının kenar payı 0 ile 40 mm arasında olmalı.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yaprakların üst üste binmesi 5 ile 40 mm arasında olmalı.</translation>
     </message>
@@ -8531,42 +8531,42 @@
       <translation>%1 sözlüğünde bu tabla için çok az işaret var.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cetvelin ölçüsü, tablaya sığan mm cinsinden bir uzunluk olmalı.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu tablanın cetveli %1 mm çizildi, %2 mm onda birden çok sapıyor; dosyayı 'sayfaya sığdır' olmadan 100 % basın ve yeniden ölçün.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 kovaryansının boyutu başka; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu düzeneği başka bir sürüm yazmış; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 düzenekte iki kez geçiyor.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir düzenek dosyası (RIG.json) değil; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzeneğin kamerası yok; yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya zaten var ve düzenek değil; başka birini verin.</translation>
     </message>
@@ -8576,12 +8576,12 @@
       <translation>Günlük yazılamıyor.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir işlem başlatılamıyor.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Program yitirildi.</translation>
     </message>
@@ -8591,7 +8591,7 @@
       <translation>Program başlatılamıyor; kurun.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bir hatayla bitti; bildirileri bu dosyada.</translation>
     </message>
@@ -8721,7 +8721,7 @@
       <translation>Kamera hiç fotoğraf çekmedi.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP bu fotoğrafların nasıl bir araya geldiğini bulamıyor; iletileri bu dosyada. Hepsinin aynı parçaları bolca örtüşerek gösterip göstermediğine bakın ya da işaretli tablada fotoğraf çekin.</translation>
     </message>

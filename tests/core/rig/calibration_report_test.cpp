@@ -59,7 +59,7 @@ TEST(CalibrationAdvice, NamesTheRegionsThatTheBoardDoesNotReach) {
   camera.corners_per_region[5] = 3;
   const auto report = judged(camera, fourStops(), {{0, 12, 290, 290}});
   EXPECT_THAT(report.missing,
-              Contains(HasSubstr("hardly reaches the upper left and right middle")));
+              Contains(HasSubstr("barely reaches the upper left and right middle")));
   EXPECT_EQ(report.verdict, Verdict::Usable);
 }
 

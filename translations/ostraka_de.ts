@@ -5249,12 +5249,12 @@
       <translation>Der Datenträger ist voll; Platz schaffen und dasselbe noch einmal beginnen.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Datenträger ist voll; Platz schaffen und noch einmal versuchen. Nichts ging verloren.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderes Programm hält den Katalog besetzt; es schließen und noch einmal versuchen.</translation>
     </message>
@@ -5264,7 +5264,7 @@
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ ist keine Art von Befund; möglich sind layer, cut, fill, structure, surface oder unstratified.</translation>
     </message>
@@ -6329,7 +6329,7 @@
       <translation>Die uuid eines Durchgangs ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Durchgang %1 gibt es schon.</translation>
     </message>
@@ -6339,17 +6339,17 @@
       <translation>Dieser Durchgang ist nicht im Katalog.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel des Projekts muss aus 2 bis 8 Großbuchstaben oder Ziffern bestehen, wie ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Begriff einer Wortliste muss Buchstaben haben und kein ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Begriff '%1' steht zweimal in der Wortliste.</translation>
     </message>
@@ -6359,27 +6359,27 @@
       <translation>Scherben mit dem Begriff „%1“: %2; zuerst diese ändern.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>eine Zeile von %1 verweist auf nichts</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Tabellen der Scherben passen nicht zusammen</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Suche kennt nicht alle Scherben</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Sicherung enthält nicht, was gespeichert wurde; noch einmal versuchen.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Katalog lässt sich nicht öffnen; prüfen, ob der Ordner da ist und beschrieben werden darf.</translation>
     </message>
@@ -6389,42 +6389,42 @@
       <translation>In den Katalog lässt sich nicht schreiben; die Zugriffsrechte des Ordners prüfen.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Datenträger antwortet nicht richtig; ihn prüfen, dann das Projekt neu öffnen.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Katalog nimmt das nicht an (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan ist keine Vorderseite dieses Durchgangs.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan ist keine Rückseite dieses Durchgangs.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>seine Vorderseite hat keine Rückseite mehr</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Paar hat eine Vorderseite und eine Rückseite.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die zurückzunehmende Entscheidung gehört nicht zu diesem Durchgang.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Entscheidung nennt eine Vorderseite, eine Rückseite oder beide.</translation>
     </message>
@@ -6434,92 +6434,92 @@
       <translation>Die uuid einer Entscheidung ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei liegt nicht im Ordner des Projekts.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Entwurf aus gröberen Fotos; den Durchgang noch einmal berechnen, damit die Maße gelten.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das sind keine vollständigen Ergebnisse von 'ostraka process'; es noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabelle der Paare nennt den Scan %1, den es nicht gibt; 'ostraka process' noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Durchgang ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Foto ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Scan ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Person ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Fundort ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Schnitt ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Befund ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Beutel ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter öffnet ein Anführungszeichen und schließt es nicht.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist nur ein Teil eines Scherbenetiketts; seinen Code noch einmal lesen.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter kennt kein Feld '%1'; das Wort in Anführungszeichen setzen, um es so zu suchen, wie es dasteht.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur Maße werden mit &lt; und &gt; verglichen; %1:value schreiben.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter ist kein lesbarer Text.</translation>
     </message>
@@ -6529,7 +6529,7 @@
       <translation>Ein Feld '%1' gibt es nicht.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einige der Änderungen bleiben, denn sie ließen sich nicht zurücknehmen: %1</translation>
     </message>
@@ -6539,17 +6539,17 @@
       <translation>Ein Maß dieser Art gibt es nicht.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Maß liegt nie unter 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Projekt wurde mit einem neueren Ostraka angelegt (Katalogversion %1, dieses Programm kennt %2); jenes installieren, nichts wurde verändert.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummerierung kann das Zeichen '%1' nicht enthalten; zwischen den Platzhaltern sind Buchstaben, Ziffern, '.', '_', '/' und '-' erlaubt.</translation>
     </message>
@@ -6559,7 +6559,7 @@
       <translation>Die Nummerierung öffnet einen Platzhalter mit { und schließt ihn nicht mit }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummerierung kennt keinen Platzhalter {%1}; es gibt site, trench, context, bag, batch, yyyy, yy und n.</translation>
     </message>
@@ -6569,7 +6569,7 @@
       <translation>Die Breite von {%1} muss wie :04 geschrieben sein, mit höchstens 12 Stellen.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Platzhalter stoßen aneinander; ein '-' oder ein anderes Zeichen zwischen {%1} und {%2} setzen.</translation>
     </message>
@@ -6604,52 +6604,52 @@
       <translation>Die Nummer braucht den Durchgang der Scherbe, der nicht eingetragen ist.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Fundort %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Schnitt %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Beutel %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchgang %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde schon einmal vergeben; Nummern werden nie wieder verwendet.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Nummernblock bis %1 ist verbraucht; diesem Rechner in den Einstellungen einen neuen geben.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Entscheidung braucht den Namen der Person, die sie trifft.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Verbunden werden zwei oder mehr Stücke.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geteilt wird ein Stück.</translation>
     </message>
@@ -6684,32 +6684,32 @@
       <translation>Die Nummer eines Beutels darf nicht leer sein.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Name einer Person ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel der Person ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel eines Fundorts ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel eines Schnitts ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer eines Befunds ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer eines Beutels ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
@@ -6719,92 +6719,92 @@
       <translation>Die uuid ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel %1 gehört schon einer anderen Person.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Breite liegt zwischen -90 und 90 Grad.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Länge liegt zwischen -180 und 180 Grad.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Fundort %1 gibt es schon.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Schnitt gehört zu einem Fundort.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Schnitt kann nicht in sich selbst liegen.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Schnitt %1 gibt es in diesem Fundort schon.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Befund gehört zu einem Fundort.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Schnitt gehört zu einem anderen Fundort als der Befund.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Befund %1 gibt es an diesem Ort schon.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Beutel gehört zu einem Befund.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Gewicht eines Beutels ist größer als 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Anzahl liegt nie unter 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Beutel %1 gibt es in diesem Befund schon.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner liegt auf einer Netzfreigabe (%1), wo Kataloge beschädigt werden; einen Ordner auf dem eigenen Datenträger dieses Rechners nehmen und Sicherungen auf die Freigabe kopieren.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner ist kein Ostraka-Projekt: Er enthält kein catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein neues Projekt braucht einen neuen oder leeren Ordner; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner lässt sich nicht anlegen; einen Ort wählen, an den geschrieben werden darf.</translation>
     </message>
@@ -6814,12 +6814,12 @@
       <translation>Eine uuid des Exports ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Entscheidung ist bei dem Durchgang gespeichert, aber %1 ist noch nicht im Katalog; sie wird mit den nächsten Ergebnissen eingetragen.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Feld %1 kommt vom Programm.</translation>
     </message>
@@ -6829,17 +6829,17 @@
       <translation>Eine ungültige Scherbe behält ihre Nummer.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Nummer enthält keinen Zeilenumbruch, keinen Tabulator und kein '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Nummer hat höchstens 120 Zeichen.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 würde zweimal vergeben.</translation>
     </message>
@@ -6849,7 +6849,7 @@
       <translation>Die Dateien von %1 hätten dieselben Namen wie die von %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde schon einmal vergeben und wird nie wieder verwendet.</translation>
     </message>
@@ -6859,42 +6859,42 @@
       <translation>Die Nummer %1 gehört einer anderen Scherbe.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' ist kein Begriff der Wortliste '%2'; einen anderen wählen oder ihn in den Einstellungen hinzufügen.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was auf das Zeichen ± folgt, ist größer als 0, oder 0, wo keine Unsicherheit bekannt ist.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Maß ist größer als 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Scherbe ist größer als 1000 mm; sind das Millimeter?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Scherbe ist schwerer als 20 kg; sind das Gramm?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Anteil beträgt höchstens 100 %.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe %1, an die sie passen könnte, gibt es nicht.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe passt nicht an sich selbst.</translation>
     </message>
@@ -6909,17 +6909,17 @@
       <translation>Eine nummerierte Scherbe braucht ihren Befund.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe bekommt eine Nummer, wenn ihr Befund bekannt ist.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabelle lässt sich nicht nach '%1' ordnen.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe ist nicht mehr im Katalog.</translation>
     </message>
@@ -6929,22 +6929,22 @@
       <translation>Die uuid einer Scherbe ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe mit dieser uuid gibt es schon.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe ist aus einem Grund ungültig; ihn angeben.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 steht auf zwei Scherben dieser Platte.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 gehört schon einer anderen Scherbe.</translation>
     </message>
@@ -6959,32 +6959,32 @@
       <translation>Der Text ist länger als 1 MB.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Text ist kein gültiges UTF-8 oder enthält ein Nullbyte.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Tag wird wie 2026-07-14 geschrieben (Jahr-Monat-Tag).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Datierung wird in EDTF geschrieben, wie -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Munsell-Farbe wird wie 10YR 3/1 oder N 4/ geschrieben.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' ist keine Zahl; 12.5 oder 12,5 schreiben, ohne Einheit.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' ist kein Pfad innerhalb des Projekts; er muss relativ sein, mit '/' und ohne '..'.</translation>
     </message>
@@ -8779,7 +8779,7 @@
       <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einer Markenplatte fotografieren.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell ist nicht mehr da; seinen Durchgang noch einmal berechnen.</translation>
     </message>
@@ -8834,7 +8834,7 @@
       <translation>Wandung %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Beutel liegt in einem Befund; zuerst den Befund eintragen.</translation>
     </message>
@@ -8844,7 +8844,7 @@
       <translation>Der Befund %1 hat keinen Beutel %2; den Beutel zugleich ändern oder leeren.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Beutel %1 gibt es im Befund %2 noch nicht; ihn bei der Aufnahme eintippen oder eine Tabelle der Befunde mit ihm importieren.</translation>
     </message>
@@ -8854,7 +8854,7 @@
       <translation>Was für die Lippe gehalten wurde, kann ein Bruch sein (%1 %, dass es die Lippe ist) und der Durchmesser falsch; bitte prüfen, wie die Scherbe steht.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Durchgang wird gerade fotografiert; er wird berechnet, wenn das fertig ist.</translation>
     </message>
@@ -8869,7 +8869,7 @@
       <translation>„%1“ lässt sich als %2 oder als %3 lesen; eines von beiden schreiben.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
     </message>
@@ -8889,7 +8889,7 @@
       <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde für eine Scherbe von %2 getippt; diese ist noch nicht berechnet.</translation>
     </message>
@@ -8899,7 +8899,7 @@
       <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder es entfernen.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nach dem Zeichen = steht eine Nummer.</translation>
     </message>
@@ -9049,7 +9049,7 @@
         <translation>eine Seite wurde verändert</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>seine Seiten passen nicht zusammen</translation>
     </message>
@@ -9069,37 +9069,37 @@
         <translation>die Datei gehört zu einem anderen Programm</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>die Datei enthält keinen Katalog</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>der Kopf der Datei widerspricht sich</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>er enthält kein Projekt</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Katalog kann nicht gelesen werden; prüfen Sie, ob er vorhanden ist, und seine Zugriffsrechte.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Dieses Projekt kann nur gelesen werden, und für eine Kopie zum Lesen fehlt der Platz; schaffen Sie Platz im Ordner für temporäre Dateien.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Dieses Projekt stammt von einem älteren Ostraka und kann hier nur gelesen werden; kopieren Sie es in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie es dort.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Katalog ist beschädigt und keine seiner Sicherungen ist vollständig; kopieren Sie eine aus einem Archiv oder von einem anderen Datenträger in den Ordner backups und reparieren Sie ihn dann noch einmal.</translation>
     </message>

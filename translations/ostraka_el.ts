@@ -5244,12 +5244,12 @@
       <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και ξεκινήστε ξανά το ίδιο.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος είναι γεμάτος· κάντε χώρο και δοκιμάστε ξανά. Τίποτα δεν χάθηκε.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα άλλο πρόγραμμα κρατά απασχολημένο τον κατάλογο· κλείστε το και δοκιμάστε ξανά.</translation>
     </message>
@@ -5259,7 +5259,7 @@
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» δεν είναι είδος πλαισίου· μπορεί να είναι layer, cut, fill, structure, surface ή unstratified.</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>Το uuid μιας παρτίδας δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη παρτίδα %1.</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Αυτή η παρτίδα δεν είναι στον κατάλογο.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός του έργου πρέπει να έχει 2 έως 8 κεφαλαία ή ψηφία, όπως ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας όρος λεξιλογίου πρέπει να έχει γράμματα και όχι ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο όρος '%1' υπάρχει δύο φορές στο λεξιλόγιο.</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>Όστρακα με τον όρο «%1»: %2· αλλάξτε πρώτα αυτά.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μια γραμμή του %1 δεν δείχνει πουθενά</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>οι πίνακες των οστράκων δεν συμφωνούν μεταξύ τους</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η αναζήτηση δεν γνωρίζει όλα τα όστρακα</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αντίγραφο ασφαλείας δεν περιέχει όσα αποθηκεύτηκαν· δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος δεν ανοίγει· ελέγξτε ότι ο φάκελος υπάρχει και επιτρέπει εγγραφή.</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>Δεν γίνεται εγγραφή στον κατάλογο· ελέγξτε τα δικαιώματα του φακέλου.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο σκληρός δίσκος δεν απαντά σωστά· ελέγξτε τον και ανοίξτε ξανά το έργο.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος δεν το δέχεται (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση δεν είναι μπροστινή όψη αυτής της παρτίδας.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση δεν είναι πίσω όψη αυτής της παρτίδας.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η μπροστινή του όψη δεν έχει πια πίσω όψη</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ζεύγος έχει μπροστινή και πίσω όψη.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση που θα ανακληθεί δεν είναι σε αυτή την παρτίδα.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια απόφαση ονομάζει μπροστινή όψη, πίσω όψη ή και τις δύο.</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>Το uuid μιας απόφασης δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν βρίσκεται στον φάκελο του έργου.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι προσχέδιο από πιο χονδρικές φωτογραφίες· υπολογίστε ξανά την παρτίδα για οριστικές μετρήσεις.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι πλήρη αποτελέσματα του 'ostraka process'· εκτελέστε το ξανά.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας των ζευγών ονομάζει τη σάρωση %1, που δεν υπάρχει· εκτελέστε ξανά το 'ostraka process'.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η παρτίδα δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η φωτογραφία δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η σάρωση δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το άτομο δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η θέση δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η τομή δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το πλαίσιο δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η σακούλα δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο ανοίγει εισαγωγικά και δεν τα κλείνει.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι μόνο μέρος της ετικέτας ενός οστράκου· διαβάστε ξανά τον κωδικό της.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο δεν γνωρίζει πεδίο '%1'· βάλτε τη λέξη σε εισαγωγικά για να αναζητηθεί όπως είναι.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο μετρήσεις συγκρίνονται με &lt; και &gt;· γράψτε %1:value.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο δεν είναι αναγνώσιμο κείμενο.</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>Δεν υπάρχει πεδίο '%1'.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μερικές από τις αλλαγές μένουν, γιατί δεν αναιρέθηκαν: %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>Δεν υπάρχει μέτρηση αυτού του είδους.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια μέτρηση δεν είναι ποτέ κάτω από 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το έργο έγινε με νεότερο Ostraka (κατάλογος έκδοση %1, αυτό το πρόγραμμα γνωρίζει %2)· εγκαταστήστε εκείνο, δεν άλλαξε τίποτα.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η αρίθμηση δεν μπορεί να περιέχει τον χαρακτήρα '%1'· ανάμεσα στα σύμβολα επιτρέπονται γράμματα, ψηφία, '.', '_', '/' και '-'.</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>Η αρίθμηση ανοίγει ένα σύμβολο με { και δεν το κλείνει με }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η αρίθμηση δεν έχει σύμβολο {%1}· υπάρχουν site, trench, context, bag, batch, yyyy, yy και n.</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>Το πλάτος του {%1} πρέπει να γράφεται όπως :04, με 12 ψηφία το πολύ.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δύο σύμβολα αγγίζονται· βάλτε ένα '-' ή άλλο σημείο ανάμεσα στο {%1} και το {%2}.</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>Ο αριθμός χρειάζεται την παρτίδα του οστράκου, που δεν έχει καταχωριστεί.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η τομή %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα του στον αριθμό.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σακούλα %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 έχει δοθεί παλιότερα· οι αριθμοί δεν ξαναχρησιμοποιούνται.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σειρά αριθμών ως το %1 εξαντλήθηκε· δώστε σε αυτόν τον υπολογιστή νέα σειρά στις ρυθμίσεις.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια απόφαση χρειάζεται το όνομα του ατόμου που την παίρνει.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ενώνονται δύο ή περισσότερα κομμάτια.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κόβεται ένα κομμάτι.</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>Ο αριθμός μιας σακούλας δεν πρέπει να είναι κενός.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όνομα ενός ατόμου είναι πολύ μεγάλο· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα αρχικά του ατόμου είναι πολύ μεγάλα· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός μιας θέσης είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός μιας τομής είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός ενός πλαισίου είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός μιας σακούλας είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>Το uuid δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα αρχικά %1 ανήκουν ήδη σε άλλο άτομο.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το γεωγραφικό πλάτος είναι μεταξύ -90 και 90 μοιρών.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το γεωγραφικό μήκος είναι μεταξύ -180 και 180 μοιρών.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη θέση %1.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια τομή ανήκει σε μια θέση.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια τομή δεν μπορεί να βρίσκεται μέσα στον εαυτό της.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη τομή %1 σε αυτή τη θέση.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα πλαίσιο ανήκει σε μια θέση.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η τομή ανήκει σε άλλη θέση από το πλαίσιο.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη πλαίσιο %1 σε αυτό το σημείο.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια σακούλα ανήκει σε ένα πλαίσιο.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το βάρος μιας σακούλας είναι πάνω από 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα πλήθος δεν είναι ποτέ κάτω από 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη σακούλα %1 σε αυτό το πλαίσιο.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος βρίσκεται σε κοινόχρηστο δίκτυο (%1), όπου οι κατάλογοι καταστρέφονται· χρησιμοποιήστε φάκελο στον δίσκο αυτού του υπολογιστή και αντιγράψτε τα αντίγραφα ασφαλείας στο δίκτυο.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δεν είναι έργο Ostraka: δεν περιέχει catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα νέο έργο χρειάζεται νέο ή άδειο φάκελο· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος δεν μπορεί να δημιουργηθεί· επιλέξτε θέση όπου επιτρέπεται η εγγραφή.</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Ένα uuid της εξαγωγής δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση αποθηκεύτηκε με την παρτίδα, αλλά το %1 δεν είναι ακόμη στον κατάλογο· θα καταχωριστεί με τα επόμενα αποτελέσματα.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πεδίο %1 προέρχεται από το πρόγραμμα.</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Ένα άκυρο όστρακο κρατά τον αριθμό του.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας αριθμός δεν περιέχει αλλαγή γραμμής, στηλοθέτη ή '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας αριθμός έχει το πολύ 120 χαρακτήρες.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 θα δινόταν δύο φορές.</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>Τα αρχεία του %1 θα είχαν τα ίδια ονόματα με εκείνα του %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 έχει δοθεί παλιότερα και δεν ξαναχρησιμοποιείται.</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>Ο αριθμός %1 ανήκει σε άλλο όστρακο.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το '%1' δεν είναι όρος του λεξιλογίου '%2'· επιλέξτε άλλον ή προσθέστε τον στις ρυθμίσεις.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι ακολουθεί το σύμβολο ± είναι μεγαλύτερο από το 0, ή 0 όπου δεν είναι γνωστή αβεβαιότητα.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια μέτρηση είναι πάνω από 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα όστρακο δεν είναι μεγαλύτερο από 1000 mm· είναι σε χιλιοστά;</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα όστρακο δεν είναι βαρύτερο από 20 kg· είναι σε γραμμάρια;</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ποσοστό είναι το πολύ 100 %.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει όστρακο %1 με το οποίο θα μπορούσε να συνανήκει.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο δεν συνανήκει με τον εαυτό του.</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Ένα αριθμημένο όστρακο χρειάζεται το πλαίσιό του.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο παίρνει αριθμό όταν το πλαίσιό του είναι γνωστό.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας δεν ταξινομείται κατά '%1'.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο δεν είναι πια στον κατάλογο.</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>Το uuid ενός οστράκου δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη όστρακο με αυτό το uuid.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο είναι άκυρο για κάποιον λόγο· πείτε ποιον.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 υπάρχει σε δύο όστρακα αυτού του δίσκου.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 ανήκει ήδη σε άλλο όστρακο.</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>Το κείμενο είναι μεγαλύτερο από 1 MB.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το κείμενο δεν είναι έγκυρο UTF-8 ή περιέχει μηδενικό byte.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια ημέρα γράφεται 2026-07-14 (έτος-μήνας-ημέρα).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια χρονολόγηση γράφεται σε EDTF, όπως -0599/-0549~ (600 έως περίπου 550 π.Χ.), -1149? ή 0350/..· τα έτη έχουν τέσσερα ψηφία.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα χρώμα Munsell γράφεται 10YR 3/1 ή N 4/.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το '%1' δεν είναι αριθμός· γράψτε 12.5 ή 12,5, χωρίς μονάδα.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το '%1' δεν είναι διαδρομή μέσα στο έργο· πρέπει να είναι σχετική, με '/' και χωρίς '..'.</translation>
     </message>
@@ -8774,7 +8774,7 @@
       <translation>Το COLMAP δεν βρίσκει πώς συνδέονται αυτές οι φωτογραφίες· τα μηνύματά του βρίσκονται σε αυτό το αρχείο. Δείτε αν όλες δείχνουν τα ίδια όστρακα με μεγάλη επικάλυψη, ή φωτογραφίστε σε πλάκα με σημάδια.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο δεν υπάρχει πια· υπολογίστε ξανά την παρτίδα του.</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>τοίχωμα %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια σακούλα ανήκει σε πλαίσιο· καταχωρίστε πρώτα το πλαίσιο.</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>Το πλαίσιο %1 δεν έχει σακούλα %2· αλλάξτε ή αδειάστε συγχρόνως τη σακούλα.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει ακόμη σακούλα %1 στο πλαίσιο %2· πληκτρολογήστε την στη λήψη ή εισαγάγετε έναν πίνακα πλαισίων που την περιέχει.</translation>
     </message>
@@ -8849,7 +8849,7 @@
       <translation>Αυτό που θεωρήθηκε χείλος μπορεί να είναι θραύση (%1 % ότι είναι το χείλος) και η διάμετρος λάθος· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η παρτίδα φωτογραφίζεται τώρα· θα υπολογιστεί όταν τελειώσει η φωτογράφιση.</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>Το «%1» διαβάζεται ως %2 ή ως %3· γράψτε ένα από τα δύο.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
     </message>
@@ -8884,7 +8884,7 @@
       <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει υπολογιστεί ακόμη.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Υπάρχει φύλλο παλαιότερου σχεδίου και δεν αντικαθίσταται· διαλέξτε άλλο όνομα ή αφαιρέστε το.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετά το σύμβολο = ακολουθεί αριθμός.</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>μια σελίδα άλλαξε</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>οι σελίδες του δεν ταιριάζουν μεταξύ τους</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>το αρχείο ανήκει σε άλλο πρόγραμμα</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>το αρχείο δεν περιέχει κατάλογο</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>η κεφαλίδα αντιφάσκει</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>δεν περιέχει έργο</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος δεν διαβάζεται· ελέγξτε ότι υπάρχει, καθώς και τα δικαιώματά του.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί και δεν υπάρχει χώρος για αντίγραφο ανάγνωσης· ελευθερώστε χώρο στον φάκελο προσωρινών αρχείων.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Αυτό το έργο έγινε με παλαιότερο Ostraka και εδώ μπορεί μόνο να διαβαστεί· αντιγράψτε το σε φάκελο όπου μπορείτε να γράψετε και ανοίξτε το εκεί.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος είναι κατεστραμμένος και κανένα αντίγραφο ασφαλείας του δεν είναι ακέραιο· αντιγράψτε ένα στον φάκελο backups, από αρχειοθήκη ή άλλον δίσκο, και επισκευάστε τον ξανά.</translation>
     </message>

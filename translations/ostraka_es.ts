@@ -5244,12 +5244,12 @@
       <translation>El disco está lleno; libere espacio y empiece lo mismo otra vez.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco está lleno; haga sitio e inténtelo otra vez. No se perdió nada.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro programa mantiene ocupado el catálogo; ciérrelo e inténtelo otra vez.</translation>
     </message>
@@ -5259,7 +5259,7 @@
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» no es un tipo de contexto; puede ser layer, cut, fill, structure, surface o unstratified.</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>El uuid de una tanda está mal formado.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una tanda %1.</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Esta tanda no está en el catálogo.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El código del proyecto debe tener de 2 a 8 mayúsculas o cifras, como ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un término de un vocabulario debe tener letras y ningún ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El término '%1' está dos veces en el vocabulario.</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>Fragmentos con el término «%1»: %2; cámbielos primero.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>una fila de %1 no apunta a nada</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>las tablas de los fragmentos no concuerdan</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la búsqueda no conoce todos los fragmentos</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copia de seguridad no contiene lo que se guardó; inténtelo otra vez.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El catálogo no se puede abrir; compruebe que la carpeta existe y que se puede escribir en ella.</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>No se puede escribir en el catálogo; revise los permisos de la carpeta.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco no responde bien; revíselo y vuelva a abrir el proyecto.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El catálogo no acepta esto (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo no es un anverso de esta tanda.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo no es un reverso de esta tanda.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>su anverso ya no tiene reverso</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una pareja tiene un anverso y un reverso.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión que se quiere retirar no está en esta tanda.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una decisión nombra un anverso, un reverso o ambos.</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>El uuid de una decisión está mal formado.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo no está en la carpeta del proyecto.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es un borrador a partir de fotos con menos detalle; calcule otra vez la tanda para tener medidas definitivas.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No son resultados completos de 'ostraka process'; ejecútelo otra vez.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tabla de parejas nombra el escaneo %1, que no existe; ejecute otra vez 'ostraka process'.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta tanda ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta foto ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este escaneo ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta persona ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este yacimiento ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este corte ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este contexto ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta bolsa ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro abre unas comillas y no las cierra.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es solo una parte de la etiqueta de un fragmento; lea otra vez su código.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro no conoce ningún campo '%1'; ponga la palabra entre comillas para buscarla tal cual.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo las medidas se comparan con &lt; y &gt;; escriba %1:value.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro no es un texto legible.</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>No hay ningún campo '%1'.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Algunos de los cambios quedan, porque no se pudieron deshacer: %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>No hay ninguna medida de este tipo.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una medida nunca es menor que 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este proyecto se hizo con un Ostraka más nuevo (catálogo versión %1, este programa conoce %2); instálelo, no se cambió nada.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numeración no puede contener el carácter '%1'; entre las marcas se permiten letras, cifras, '.', '_', '/' y '-'.</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>La numeración abre una marca con { y no la cierra con }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numeración no tiene la marca {%1}; hay site, trench, context, bag, batch, yyyy, yy y n.</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>La anchura de {%1} debe escribirse como :04, con 12 cifras como máximo.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dos marcas se tocan; ponga un '-' u otro signo entre {%1} y {%2}.</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>El número necesita la tanda del fragmento, que no está registrada.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El yacimiento %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El corte %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La bolsa %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 ya se dio antes; los números nunca se reutilizan.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El bloque de números hasta %1 está agotado; dé a este ordenador un bloque nuevo en los ajustes.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una decisión necesita el nombre de la persona que la toma.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se unen dos piezas o más.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se corta una sola pieza.</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>El número de una bolsa no puede estar vacío.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El nombre de una persona es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las iniciales de la persona son demasiado largas; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El código de un yacimiento es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El código de un corte es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número de un contexto es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número de una bolsa es demasiado largo; 200 letras como máximo.</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>El uuid está mal formado.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las iniciales %1 ya pertenecen a otra persona.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La latitud está entre -90 y 90 grados.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longitud está entre -180 y 180 grados.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un yacimiento %1.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un corte pertenece a un yacimiento.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un corte no puede estar dentro de sí mismo.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un corte %1 en este yacimiento.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un contexto pertenece a un yacimiento.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El corte pertenece a otro yacimiento que el contexto.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un contexto %1 en este lugar.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una bolsa pertenece a un contexto.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El peso de una bolsa es mayor que 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cantidad nunca es menor que 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una bolsa %1 en este contexto.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta está en un recurso de red (%1), donde los catálogos se dañan; use una carpeta del disco de este ordenador y copie las copias de seguridad al recurso.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta no es un proyecto de Ostraka: no contiene catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un proyecto nuevo necesita una carpeta nueva o vacía; elija otro nombre.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta no se puede crear; elija un lugar en el que pueda escribir.</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Un uuid de la exportación está mal formado.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión está guardada con la tanda, pero %1 aún no está en el catálogo; se anotará con los próximos resultados.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El campo %1 viene del programa.</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Un fragmento anulado conserva su número.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un número no contiene saltos de línea, tabuladores ni '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un número tiene 120 caracteres como máximo.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 se daría dos veces.</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>Los archivos de %1 tendrían los mismos nombres que los de %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 ya se dio antes y no se vuelve a usar.</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>El número %1 pertenece a otro fragmento.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' no es un término del vocabulario '%2'; elija otro o añádalo en los ajustes.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que sigue al signo ± es mayor que 0, o 0 si no se conoce ninguna incertidumbre.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una medida es mayor que 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún fragmento mide más de 1000 mm; ¿está en milímetros?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún fragmento pesa más de 20 kg; ¿está en gramos?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una proporción es de 100 % como máximo.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay ningún fragmento %1 con el que pueda unirse.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento no se une consigo mismo.</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Un fragmento numerado necesita su contexto.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento recibe número cuando se conoce su contexto.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tabla no se puede ordenar por '%1'.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento ya no está en el catálogo.</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>El uuid de un fragmento está mal formado.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un fragmento con este uuid.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento se anula por algún motivo; diga cuál.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 está en dos fragmentos de este plato.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 ya pertenece a otro fragmento.</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>El texto supera 1 MB.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El texto no es UTF-8 válido o contiene un byte nulo.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un día se escribe 2026-07-14 (año-mes-día).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una fecha se escribe en EDTF, como -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un color Munsell se escribe 10YR 3/1 o N 4/.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' no es un número; escriba 12.5 o 12,5, sin unidad.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' no es una ruta dentro del proyecto; debe ser relativa, con '/' y sin '..'.</translation>
     </message>
@@ -8774,7 +8774,7 @@
       <translation>COLMAP no encuentra cómo encajan estas fotografías; sus mensajes están en este archivo. Compruebe que todas muestran los mismos fragmentos con mucho solape, o fotografíe sobre una placa con marcas.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo ya no está; calcule de nuevo su tanda.</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>pared %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una bolsa está en un contexto; escriba primero el contexto.</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>El contexto %1 no tiene ninguna bolsa %2; cambie o vacíe la bolsa al mismo tiempo.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todavía no hay ninguna bolsa %1 en el contexto %2; escríbala en la toma o importe una tabla de contextos que la contenga.</translation>
     </message>
@@ -8849,7 +8849,7 @@
       <translation>Lo que se tomó por labio puede ser una fractura (%1 % de que sea el labio) y el diámetro erróneo; compruebe cómo está orientado el fragmento.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta tanda se está fotografiando; se calculará cuando termine.</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>«%1» se puede leer como %2 o como %3; escriba uno de los dos.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
     </message>
@@ -8884,7 +8884,7 @@
       <translation>Se omiten las uniones con filas que no entraron: %1; importe la tabla otra vez cuando esas filas estén corregidas.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 se escribió para un fragmento de %2, que aún no está calculado.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o quítela.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tras el signo = va un número.</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>se modificó una página</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sus páginas no concuerdan</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>el archivo pertenece a otro programa</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>el archivo no contiene ningún catálogo</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>la cabecera se contradice</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>no contiene ningún proyecto</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>No se puede leer el catálogo; compruebe que está ahí y sus permisos.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Este proyecto solo se puede leer y no hay espacio para una copia de lectura; libere espacio en la carpeta de archivos temporales.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Este proyecto es de un Ostraka anterior y aquí solo se puede leer; cópielo en una carpeta en la que pueda escribir y ábralo allí.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>El catálogo está dañado y ninguna de sus copias de seguridad está íntegra; copie una en la carpeta backups, desde un archivo o desde otro disco, y repárelo de nuevo.</translation>
     </message>

@@ -5244,12 +5244,12 @@
       <translation>Le disque est plein ; libérez de la place et relancez la même chose.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque est plein ; faites de la place, puis réessayez. Rien n’est perdu.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre programme occupe le catalogue ; fermez-le, puis réessayez.</translation>
     </message>
@@ -5259,7 +5259,7 @@
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » n’est pas un type de contexte ; ce peut être layer, cut, fill, structure, surface ou unstratified.</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>L’uuid d’un lot est mal formé.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un lot %1.</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Ce lot n’est pas dans le catalogue.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le code du projet doit avoir 2 à 8 majuscules ou chiffres, comme ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un terme d’un vocabulaire doit avoir des lettres et pas de ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le terme '%1' figure deux fois dans le vocabulaire.</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>Tessons avec le terme « %1 » : %2 ; modifiez-les d’abord.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>une ligne de %1 ne renvoie à rien</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>les tables des tessons ne concordent pas</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la recherche ne connaît pas tous les tessons</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La sauvegarde ne contient pas ce qui a été enregistré ; réessayez.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue ne peut pas être ouvert ; vérifiez que le dossier existe et qu’on peut y écrire.</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>On ne peut pas écrire dans le catalogue ; vérifiez les droits d’accès du dossier.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque ne répond pas correctement ; vérifiez-le, puis rouvrez le projet.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue n’accepte pas cela (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation n’est pas une face avant de ce lot.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation n’est pas une face arrière de ce lot.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sa face avant n’a plus de face arrière</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une paire a une face avant et une face arrière.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision à annuler n’est pas dans ce lot.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une décision nomme une face avant, une face arrière, ou les deux.</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>L’uuid d’une décision est mal formé.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier n’est pas dans le dossier du projet.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est une ébauche d’après des photos plus grossières ; recalculez le lot pour des mesures définitives.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce ne sont pas des résultats complets de 'ostraka process' ; relancez-le.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table des paires nomme la numérisation %1, qui n’existe pas ; relancez 'ostraka process'.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce lot n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette photo n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette numérisation n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette personne n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce site n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette tranchée n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce contexte n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce sac n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre ouvre un guillemet et ne le ferme pas.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est qu’une partie de l’étiquette d’un tesson ; relisez son code.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre ne connaît pas de champ '%1' ; mettez le mot entre guillemets pour le chercher tel quel.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seules les mesures se comparent avec &lt; et &gt; ; écrivez %1:value.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre n’est pas un texte lisible.</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>Il n’y a pas de champ '%1'.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Certaines des modifications restent, car elles n’ont pas pu être annulées : %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>Il n’y a pas de mesure de ce genre.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une mesure n’est jamais inférieure à 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce projet a été créé avec un Ostraka plus récent (catalogue version %1, ce programme connaît %2) ; installez-le, rien n’a été modifié.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérotation ne peut pas contenir le caractère '%1' ; entre les jetons sont permis lettres, chiffres, '.', '_', '/' et '-'.</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>La numérotation ouvre un jeton avec { et ne le ferme pas avec }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérotation n’a pas de jeton {%1} ; il y a site, trench, context, bag, batch, yyyy, yy et n.</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>La largeur de {%1} doit s’écrire comme :04, avec 12 chiffres au plus.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deux jetons se touchent ; mettez un '-' ou un autre signe entre {%1} et {%2}.</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>Le numéro demande le lot du tesson, qui n’est pas enregistré.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le site %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tranchée %1 contient le signe '%2' qui est à côté d’elle dans le numéro.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le sac %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a déjà été donné ; les numéros ne resservent jamais.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le bloc de numéros jusqu’à %1 est épuisé ; donnez à cet ordinateur un nouveau bloc dans les réglages.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une décision demande le nom de la personne qui la prend.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>On joint deux morceaux ou plus.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>On coupe un seul morceau.</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>Le numéro d’un sac ne doit pas être vide.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nom d’une personne est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les initiales de la personne sont trop longues ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le code d’un site est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le code d’une tranchée est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro d’un contexte est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro d’un sac est trop long ; 200 lettres au plus.</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>L’uuid est mal formé.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les initiales %1 sont déjà celles d’une autre personne.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La latitude est comprise entre -90 et 90 degrés.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longitude est comprise entre -180 et 180 degrés.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un site %1.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une tranchée appartient à un site.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une tranchée ne peut pas se trouver en elle-même.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà une tranchée %1 dans ce site.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un contexte appartient à un site.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tranchée appartient à un autre site que le contexte.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un contexte %1 à cet endroit.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un sac appartient à un contexte.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le poids d’un sac est supérieur à 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nombre n’est jamais inférieur à 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un sac %1 dans ce contexte.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier est sur un partage réseau (%1), où les catalogues s’abîment ; prenez un dossier sur le disque de cet ordinateur et copiez les sauvegardes sur le partage.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’est pas un projet Ostraka : il ne contient pas catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nouveau projet demande un dossier nouveau ou vide ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier ne peut pas être créé ; choisissez un endroit où vous pouvez écrire.</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Un uuid de l’exportation est mal formé.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision est enregistrée avec le lot, mais %1 n’est pas encore dans le catalogue ; elle sera inscrite avec les prochains résultats.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le champ %1 vient du programme.</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Un tesson annulé garde son numéro.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un numéro ne contient ni saut de ligne, ni tabulation, ni '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un numéro a 120 caractères au plus.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 serait donné deux fois.</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>Les fichiers de %1 auraient les mêmes noms que ceux de %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a déjà été donné et ne resservira jamais.</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>Le numéro %1 est celui d’un autre tesson.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' n’est pas un terme du vocabulaire '%2' ; choisissez-en un autre, ou ajoutez-le dans les réglages.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui suit le signe ± est supérieur à 0, ou 0 si aucune incertitude n’est connue.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une mesure est supérieure à 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson ne dépasse 1000 mm ; est-ce en millimètres ?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson ne pèse plus de 20 kg ; est-ce en grammes ?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une part est de 100 % au plus.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de tesson %1 avec lequel il pourrait remonter.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson ne remonte pas avec lui-même.</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Un tesson numéroté a besoin de son contexte.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson reçoit un numéro quand son contexte est connu.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le tableau ne peut pas être trié par '%1'.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson n’est plus dans le catalogue.</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>L’uuid d’un tesson est mal formé.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un tesson avec cet uuid.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson est annulé pour une raison ; dites laquelle.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 figure sur deux tessons de ce plateau.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 est déjà celui d’un autre tesson.</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>Le texte dépasse 1 Mo.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le texte n’est pas de l’UTF-8 valide, ou contient un octet nul.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un jour s’écrit 2026-07-14 (année-mois-jour).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une datation s’écrit en EDTF, comme -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une couleur Munsell s’écrit 10YR 3/1 ou N 4/.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' n’est pas un nombre ; écrivez 12.5 ou 12,5, sans unité.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' n’est pas un chemin dans le projet ; il doit être relatif, avec '/' et sans '..'.</translation>
     </message>
@@ -8774,7 +8774,7 @@
       <translation>COLMAP ne trouve pas comment ces photographies vont ensemble ; ses messages sont dans ce fichier. Vérifiez que toutes montrent les mêmes tessons avec un large recouvrement, ou photographiez sur un plateau à repères.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle n'est plus là ; recalculez son lot.</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>paroi %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un sac appartient à un contexte ; entrez d’abord le contexte.</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>Le contexte %1 n’a pas de sac %2 ; changez ou videz le sac en même temps.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas encore de sac %1 dans le contexte %2 ; tapez-le à la prise de vue, ou importez une table de contextes qui le contient.</translation>
     </message>
@@ -8849,7 +8849,7 @@
       <translation>Ce qui a été pris pour la lèvre peut être une cassure (%1 % que ce soit la lèvre), et le diamètre faux ; vérifiez l'orientation du tesson.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce lot est en train d'être photographié ; il sera calculé quand ce sera fini.</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>« %1 » peut se lire %2 ou %3 ; écrivez l’un des deux.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
     </message>
@@ -8884,7 +8884,7 @@
       <translation>Les remontages avec des lignes qui ne sont pas entrées sont omis : %1 ; importez de nouveau le tableau quand ces lignes seront corrigées.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore calculé.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou retirez-la.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le signe = est suivi d&apos;un numéro.</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>une page a été modifiée</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ses pages ne concordent pas</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>le fichier appartient à un autre programme</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>le fichier ne contient pas de catalogue</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>l’en-tête se contredit</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>il ne contient pas de projet</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue ne peut pas être lu ; vérifiez qu’il est présent, ainsi que ses droits d’accès.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ce projet est en lecture seule et la place manque pour une copie de lecture ; libérez de la place dans le dossier des fichiers temporaires.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ce projet vient d’une version antérieure d’Ostraka et ne peut être que lu ici ; copiez-le dans un dossier où vous pouvez écrire et ouvrez-le là.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue est endommagé et aucune de ses sauvegardes n’est entière ; copiez-en une dans le dossier backups, depuis une archive ou un autre disque, puis réparez-le à nouveau.</translation>
     </message>

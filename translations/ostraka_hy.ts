@@ -5244,12 +5244,12 @@
       <translation>Սկավառակը լի է. տեղ ազատեք և նորից սկսեք նույնը։</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը լի է. տեղ ազատեք և նորից փորձեք։ Ոչինչ չի կորել։</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ այլ ծրագիր զբաղեցրել է կատալոգը. փակեք այն և նորից փորձեք։</translation>
     </message>
@@ -5259,7 +5259,7 @@
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը համատեքստի տեսակ չէ. այն կարող է լինել layer, cut, fill, structure, surface կամ unstratified։</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>Խմբաքանակի uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խմբաքանակն արդեն կա։</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Այս խմբաքանակը կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծի ծածկագիրը պետք է լինի 2-ից 8 մեծատառ կամ թվանշան, ինչպես ARM։</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բառարանի տերմինը պետք է ունենա տառեր և չունենա ';'։</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' տերմինը բառարանում երկու անգամ կա։</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>«%1» եզրով խեցաբեկորներ՝ %2. նախ փոխեք դրանք։</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի տողը ոչնչի չի հղվում</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բեկորների աղյուսակներն իրար չեն համապատասխանում</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>որոնումը բոլոր բեկորները չգիտի</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահուստային պատճենը չի պարունակում պահպանվածը. նորից փորձեք։</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգը չի բացվում. ստուգեք, որ պանակը կա և դրանում կարելի է գրել։</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>Կատալոգում հնարավոր չէ գրել. ստուգեք պանակի թույլտվությունները։</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոշտ սկավառակը պատշաճ չի պատասխանում. ստուգեք այն, ապա նորից բացեք նախագիծը։</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգը սա չի ընդունում (%1)։</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանն այս խմբաքանակի առջևի երես չէ։</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանն այս խմբաքանակի հետևի երես չէ։</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դրա առջևի երեսն այլևս հետևի երես չունի</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգն ունի առջևի և հետևի երես։</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետ վերցվող որոշումն այս խմբաքանակում չէ։</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշումը նշում է առջևի երես, հետևի երես կամ երկուսն էլ։</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>Որոշման uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը նախագծի պանակում չէ։</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա սևագիր է՝ կոպիտ լուսանկարներից. վերջնական չափերի համար խմբաքանակը նորից հաշվեք։</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սրանք 'ostraka process'-ի ամբողջական արդյունքներ չեն. նորից գործարկեք։</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգերի աղյուսակը նշում է %1 սկանը, որը չկա. նորից գործարկեք 'ostraka process'-ը։</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկանն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անձն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս հուշարձանն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խրամատն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս համատեքստն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տոպրակն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչը բացում է չակերտ և չի փակում։</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա բեկորի պիտակի միայն մի մասն է. նորից կարդացեք դրա կոդը։</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչը '%1' դաշտ չգիտի. բառը դրեք չակերտների մեջ, որ փնտրվի՝ ինչպես կա։</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միայն չափերն են համեմատվում &lt; և &gt; նշաններով. գրեք %1:value։</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչն ընթեռնելի տեքստ չէ։</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>'%1' դաշտ չկա։</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոփոխությունների մի մասը մնում է, քանի որ չհաջողվեց հետարկել. %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>Այսպիսի չափ չկա։</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափը երբեք 0-ից փոքր չէ։</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս նախագիծն արվել է ավելի նոր Ostraka-ով (կատալոգի տարբերակ %1, այս ծրագիրը գիտի %2). տեղադրեք այն, ոչինչ չի փոխվել։</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարակալումը չի կարող պարունակել '%1' նիշը. տեղապահների միջև թույլատրվում են տառեր, թվանշաններ, '.', '_', '/' և '-'։</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>Համարակալումը տեղապահը բացում է {-ով և չի փակում }-ով։</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարակալումը {%1} տեղապահ չունի. կան site, trench, context, bag, batch, yyyy, yy և n։</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>{%1}-ի լայնությունը պետք է գրվի որպես :04, առավելագույնը 12 նիշ։</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկու տեղապահ կպած են. {%1}-ի և {%2}-ի միջև դրեք '-' կամ այլ նշան։</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>Համարին պետք է բեկորի խմբաքանակը, որը գրանցված չէ։</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 հուշարձանը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խրամատը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տոպրակը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խմբաքանակը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն արդեն տրվել է. համարները կրկին չեն օգտագործվում։</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մինչև %1 համարների շարքը սպառված է. կարգավորումներում այս համակարգչին նոր շարք տվեք։</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշմանը պետք է այն կայացնողի անունը։</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միացվում է երկու կամ ավելի կտոր։</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կտրվում է մեկ կտոր։</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>Տոպրակի համարը չպետք է դատարկ լինի։</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անձի անունը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անձի սկզբնատառերը չափազանց երկար են. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձանի ծածկագիրը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատի ծածկագիրը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համատեքստի համարը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակի համարը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 սկզբնատառերն արդեն այլ անձինն են։</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լայնությունը -90-ից 90 աստիճան է։</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկայնությունը -180-ից 180 աստիճան է։</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 հուշարձանն արդեն կա։</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատը պատկանում է հուշարձանի։</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատը չի կարող լինել ինքն իր մեջ։</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս հուշարձանում %1 խրամատն արդեն կա։</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համատեքստը պատկանում է հուշարձանի։</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատն այլ հուշարձանի է պատկանում, քան համատեքստը։</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեղում %1 համատեքստն արդեն կա։</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակը պատկանում է համատեքստի։</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակի քաշը մեծ է 0 գ-ից։</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Քանակը երբեք 0-ից փոքր չէ։</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս համատեքստում %1 տոպրակն արդեն կա։</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակը ցանցային ընդհանուր պահոցում է (%1), որտեղ կատալոգները վնասվում են. օգտագործեք այս համակարգչի սեփական կոշտ սկավառակի պանակ, իսկ պահուստային պատճենները պատճենեք պահոց։</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակն Ostraka-ի նախագիծ չէ. catalogue.sqlite չի պարունակում։</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր նախագծին պետք է նոր կամ դատարկ պանակ. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակը չի ստեղծվում. ընտրեք տեղ, որտեղ կարող եք գրել։</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Արտահանման մի uuid սխալ է գրված։</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշումը պահպանված է խմբաքանակի հետ, բայց %1-ը դեռ կատալոգում չկա. այն կգրանցվի հաջորդ արդյունքների հետ։</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 դաշտը գալիս է ծրագրից։</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Անվավեր բեկորը պահում է իր համարը։</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարը չի պարունակում տողադարձ, տաբուլյացիա և '%'։</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարն ունի առավելագույնը 120 նիշ։</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարը երկու անգամ կտրվեր։</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>%1-ի ֆայլերը կունենային նույն անունները, ինչ %2-ինը։</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն արդեն տրվել է և կրկին չի օգտագործվում։</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>%1 համարն այլ բեկորինն է։</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ը '%2' բառարանի տերմին չէ. ընտրեք այլը կամ ավելացրեք կարգավորումներում։</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>± նշանին հաջորդողը մեծ է 0-ից, կամ 0 է, եթե անորոշությունը հայտնի չէ։</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափը մեծ է 0-ից։</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի բեկոր 1000 մմ-ից մեծ չէ. սա միլիմետրո՞վ է։</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի բեկոր 20 կգ-ից ծանր չէ. սա գրամո՞վ է։</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաժինը առավելագույնը 100 % է։</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չկա %1 բեկոր, որին այն կցվեր։</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորն ինքն իրեն չի կցվում։</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Համարակալված բեկորին պետք է իր համատեքստը։</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորը համար է ստանում, երբ համատեքստը հայտնի է։</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակը չի դասավորվում ըստ '%1'-ի։</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի բեկոր այլևս կատալոգում չկա։</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>Բեկորի uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս uuid-ով բեկոր արդեն կա։</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորն անվավեր է որևէ պատճառով. նշեք այն։</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն այս սկավառակի երկու բեկորի վրա է։</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն արդեն այլ բեկորինն է։</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>Տեքստը 1 ՄԲ-ից երկար է։</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեքստը ճիշտ UTF-8 չէ կամ պարունակում է զրոյական բայտ։</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օրը գրվում է 2026-07-14 (տարի-ամիս-օր)։</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թվագրումը գրվում է EDTF-ով, ինչպես -0599/-0549~ (մ. թ. ա. 600-ից մոտ 550), -1149? կամ 0350/..՝ քառանիշ տարիներով։</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Munsell գույնը գրվում է 10YR 3/1 կամ N 4/։</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ը թիվ չէ. գրեք 12.5 կամ 12,5՝ առանց միավորի։</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ը նախագծի ներսի ուղի չէ. այն պետք է լինի հարաբերական՝ '/'-ով և առանց '..'-ի։</translation>
     </message>
@@ -8774,7 +8774,7 @@
       <translation>COLMAP-ը չի գտնում, թե ինչպես են այս լուսանկարները միմյանց համապատասխանում. նրա հաղորդագրություններն այս ֆայլում են։ Ստուգեք՝ արդյոք բոլորը նույն բեկորներն են ցույց տալիս մեծ համընկնումով, կամ լուսանկարեք նշաններով սկուտեղի վրա։</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս մոդելն այլևս չկա. նորից հաշվարկեք նրա խմբաքանակը։</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>պատը %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակը համատեքստի մեջ է. նախ գրեք համատեքստը։</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>%1 համատեքստում %2 տոպրակ չկա. միաժամանակ փոխեք կամ դատարկեք տոպրակը։</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 համատեքստում %1 տոպրակ դեռ չկա. գրեք այն նկարահանման էջում կամ ներմուծեք համատեքստերի աղյուսակ, որտեղ այն կա։</translation>
     </message>
@@ -8849,7 +8849,7 @@
       <translation>Այն, ինչ ընդունվել է որպես շուրթ, կարող է կոտրվածք լինել (%1 %, որ շուրթն է), և տրամագիծը՝ սխալ. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակը լուսանկարվում է. կհաշվարկվի, երբ դա ավարտվի։</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>«%1»-ը կարելի է կարդալ %2 կամ %3. գրեք երկուսից մեկը։</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
     </message>
@@ -8884,7 +8884,7 @@
       <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ հաշվարկված չէ։</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Նախորդ գծանկարի թերթ արդեն կա և չի վերագրվում. ընտրեք այլ անուն կամ հեռացրեք այն։</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>= նշանից հետո համար է գրվում։</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>մի էջ փոխվել է</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>նրա էջերն իրար չեն համապատասխանում</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>ֆայլը պատկանում է այլ ծրագրի</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ֆայլում կատալոգ չկա</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>գլխագիրը հակասում է ինքն իրեն</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>դրանում նախագիծ չկա</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը չի կարդացվում. ստուգեք՝ արդյոք այն տեղում է, և դրա թույլտվությունները։</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այս նախագիծը միայն կարդացվում է, և կարդալու պատճենի համար տեղ չկա. տեղ ազատեք ժամանակավոր ֆայլերի պանակում։</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այս նախագիծը ստեղծվել է ավելի հին Ostraka-ով և այստեղ միայն կարդացվում է. պատճենեք այն մի պանակ, որտեղ կարող եք գրել, և բացեք այնտեղ։</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը վնասված է, և դրա ոչ մի պահուստային պատճեն ամբողջական չէ. պատճենեք մեկը backups պանակ՝ արխիվից կամ այլ սկավառակից, և նորից վերականգնեք։</translation>
     </message>

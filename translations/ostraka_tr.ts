@@ -5196,12 +5196,12 @@
       <translation>Disk dolu; yer açın ve aynı işi yeniden başlatın.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk dolu; yer açın, sonra yeniden deneyin. Hiçbir şey kaybolmadı.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir program kataloğu meşgul ediyor; onu kapatın, sonra yeniden deneyin.</translation>
     </message>
@@ -5211,7 +5211,7 @@
       <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>“%1” bir kontekst türü değil; layer, cut, fill, structure, surface ya da unstratified olabilir.</translation>
     </message>
@@ -6276,7 +6276,7 @@
       <translation>Bir partinin uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisi zaten var.</translation>
     </message>
@@ -6286,17 +6286,17 @@
       <translation>Bu parti katalogda yok.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projenin kodu ARM gibi 2–8 büyük harf ya da rakam olmalı.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir sözlük teriminde harf olmalı, ';' olmamalı.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' terimi sözlükte iki kez var.</translation>
     </message>
@@ -6306,27 +6306,27 @@
       <translation>“%1” terimini taşıyan parçalar: %2; önce onları değiştirin.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir %1 satırı hiçbir şeyi göstermiyor</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>parçaların tabloları birbirini tutmuyor</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>arama tüm parçaları bilmiyor</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yedek, kaydedileni içermiyor; yeniden deneyin.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog açılamıyor; klasörün var ve yazılabilir olduğunu denetleyin.</translation>
     </message>
@@ -6336,42 +6336,42 @@
       <translation>Kataloğa yazılamıyor; klasörün izinlerini denetleyin.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk düzgün yanıt vermiyor; denetleyin, sonra projeyi yeniden açın.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog bunu kabul etmiyor (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama bu partinin bir ön yüzü değil.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama bu partinin bir arka yüzü değil.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ön yüzünün artık arka yüzü yok</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir çiftin ön yüzü ve arka yüzü vardır.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri alınacak karar bu partide değil.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir karar ön yüzü, arka yüzü ya da ikisini belirtir.</translation>
     </message>
@@ -6381,92 +6381,92 @@
       <translation>Bir kararın uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya projenin klasöründe değil.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, daha kaba fotoğraflardan bir taslak; kalıcı ölçüler için partiyi yeniden hesaplayın.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bunlar 'ostraka process' komutunun tam sonuçları değil; yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çiftler tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğraf artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu tarama artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kişi artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu alan artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu açma artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kontekst artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu torba artık katalogda yok.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç bir tırnak açıyor ve kapatmıyor.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, bir parça etiketinin yalnız bir bölümü; kodunu yeniden okutun.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç '%1' alanını bilmiyor; sözcüğü olduğu gibi aramak için tırnak içine alın.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız ölçüler &lt; ve &gt; ile karşılaştırılır; %1:value yazın.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç okunabilir bir metin değil.</translation>
     </message>
@@ -6476,7 +6476,7 @@
       <translation>'%1' alanı yok.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değişikliklerin bir kısmı kalıyor, çünkü geri alınamadı: %1</translation>
     </message>
@@ -6486,17 +6486,17 @@
       <translation>Bu türden bir ölçü yok.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir ölçü hiçbir zaman 0’ın altında olmaz.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu proje daha yeni bir Ostraka ile yapılmış (katalog sürümü %1, bu program %2 sürümünü biliyor); onu kurun, hiçbir şey değiştirilmedi.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numaralama '%1' karakterini içeremez; yer tutucular arasında harf, rakam, '.', '_', '/' ve '-' kullanılabilir.</translation>
     </message>
@@ -6506,7 +6506,7 @@
       <translation>Numaralama bir yer tutucuyu { ile açıyor ve } ile kapatmıyor.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numaralamada {%1} yer tutucusu yok; olanlar: site, trench, context, bag, batch, yyyy, yy ve n.</translation>
     </message>
@@ -6516,7 +6516,7 @@
       <translation>{%1} genişliği :04 gibi yazılmalı, en çok 12 hane olabilir.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki yer tutucu birbirine bitişik; {%1} ile {%2} arasına '-' ya da başka bir işaret koyun.</translation>
     </message>
@@ -6551,52 +6551,52 @@
       <translation>Numara için parçanın partisi gerekir, o da kayıtlı değil.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 açması, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 torbası, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisi, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası daha önce verilmiş; numaralar bir daha kullanılmaz.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarasına kadar olan blok bitti; ayarlarda bu bilgisayara yeni bir blok verin.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir karar için onu veren kişinin adı gerekir.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki ya da daha çok kırık birleştirilir.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir tek kırık kesilir.</translation>
     </message>
@@ -6631,32 +6631,32 @@
       <translation>Bir torbanın numarası boş olamaz.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kişinin adı çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kişinin baş harfleri çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir alanın kodu çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir açmanın kodu çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kontekstin numarası çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torbanın numarası çok uzun; en çok 200 harf.</translation>
     </message>
@@ -6666,92 +6666,92 @@
       <translation>uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 baş harfleri zaten başka bir kişinin.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enlem -90 ile 90 derece arasındadır.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boylam -180 ile 180 derece arasındadır.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı zaten var.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir açma bir alana aittir.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir açma kendi içinde olamaz.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu alanda %1 açması zaten var.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kontekst bir alana aittir.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açma, kontekstten başka bir alana ait.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yerde %1 konteksti zaten var.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torba bir kontekste aittir.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torbanın ağırlığı 0 g üzerindedir.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir sayım hiçbir zaman 0’ın altında olmaz.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kontekstte %1 torbası zaten var.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör bir ağ paylaşımında (%1); kataloglar orada bozulur. Bu bilgisayarın kendi diskinde bir klasör kullanın ve yedekleri paylaşıma kopyalayın.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör bir Ostraka projesi değil: içinde catalogue.sqlite yok.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni proje için yeni ya da boş bir klasör gerekir; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör oluşturulamıyor; yazabileceğiniz bir yer seçin.</translation>
     </message>
@@ -6761,12 +6761,12 @@
       <translation>Dışa aktarmadaki bir uuid düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Karar partiyle birlikte kaydedildi, ama %1 henüz katalogda yok; sonraki sonuçlarla girilecek.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı programdan gelir.</translation>
     </message>
@@ -6776,17 +6776,17 @@
       <translation>Geçersiz bir parça numarasını korur.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numarada satır sonu, sekme ve '%' olmaz.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara en çok 120 karakter olabilir.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası iki kez verilmiş olurdu.</translation>
     </message>
@@ -6796,7 +6796,7 @@
       <translation>%1 dosyaları %2 dosyalarıyla aynı adları taşırdı.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası daha önce verilmiş ve bir daha kullanılmaz.</translation>
     </message>
@@ -6806,42 +6806,42 @@
       <translation>%1 numarası başka bir parçanın.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1', '%2' sözlüğünün bir terimi değil; başka birini seçin ya da ayarlarda ekleyin.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>± işaretinden sonra gelen 0’dan büyüktür; belirsizlik bilinmiyorsa 0’dır.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir ölçü 0’dan büyüktür.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir parça 1000 mm’den büyük değildir; bu milimetre mi?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir parça 20 kg’dan ağır değildir; bu gram mı?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir pay en çok 100 % olur.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birleşebileceği bir %1 parçası yok.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça kendisiyle birleşmez.</translation>
     </message>
@@ -6856,17 +6856,17 @@
       <translation>Numaralı bir parçanın konteksti olmalı.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça, konteksti bilinince numara alır.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablo '%1' ile sıralanamıyor.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça artık katalogda yok.</translation>
     </message>
@@ -6876,22 +6876,22 @@
       <translation>Bir parçanın uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu uuid ile bir parça zaten var.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça bir nedenle geçersizdir; nedenini yazın.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası bu tablanın iki parçasında var.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası zaten başka bir parçanın.</translation>
     </message>
@@ -6906,32 +6906,32 @@
       <translation>Metin 1 MB’den uzun.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Metin geçerli UTF-8 değil ya da sıfır bayt içeriyor.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gün 2026-07-14 gibi yazılır (yıl-ay-gün).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarih EDTF ile yazılır: -0599/-0549~ (MÖ 600 – yaklaşık 550), -1149? ya da 0350/.. gibi; yıllar dört hanelidir.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Munsell rengi 10YR 3/1 ya da N 4/ gibi yazılır.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' bir sayı değil; birim olmadan 12.5 ya da 12,5 yazın.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' proje içinde bir yol değil; göreli olmalı, '/' içermeli, '..' içermemeli.</translation>
     </message>
@@ -8726,7 +8726,7 @@
       <translation>COLMAP bu fotoğrafların nasıl bir araya geldiğini bulamıyor; iletileri bu dosyada. Hepsinin aynı parçaları bolca örtüşerek gösterip göstermediğine bakın ya da işaretli tablada fotoğraf çekin.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu model artık yok; partisini yeniden hesaplayın.</translation>
     </message>
@@ -8781,7 +8781,7 @@
       <translation>cidar %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torba bir kontekstte bulunur; önce konteksti girin.</translation>
     </message>
@@ -8791,7 +8791,7 @@
       <translation>%1 konteksti %2 torbasını içermiyor; torbayı da aynı anda değiştirin ya da boşaltın.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 kontekstinde henüz %1 torbası yok; onu çekimde yazın ya da onu içeren bir kontekst tablosu içe aktarın.</translation>
     </message>
@@ -8801,7 +8801,7 @@
       <translation>Dudak sanılan yer bir kırık olabilir (dudak olma olasılığı %1 %) ve çap yanlış olabilir; parçanın nasıl durduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti şu anda fotoğraflanıyor; bitince hesaplanır.</translation>
     </message>
@@ -8816,7 +8816,7 @@
       <translation>'%1', %2 ya da %3 diye okunabilir; ikisinden birini yazın.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
     </message>
@@ -8836,7 +8836,7 @@
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası, henüz hesaplanmamış %2 içindeki bir parçaya yazıldı.</translation>
     </message>
@@ -8846,7 +8846,7 @@
       <translation>Daha önceki bir çizimin bir sayfası var ve üzerine yazılmaz; başka bir ad seçin ya da onu kaldırın.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>= işaretinden sonra bir numara gelir.</translation>
     </message>
@@ -8996,7 +8996,7 @@
         <translation>bir sayfa değişmiş</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sayfaları birbirini tutmuyor</translation>
     </message>
@@ -9016,37 +9016,37 @@
         <translation>dosya başka bir programa ait</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>dosyada katalog yok</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>başlık kendisiyle çelişiyor</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>içinde proje yok</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Katalog okunamıyor; yerinde olup olmadığını ve izinlerini denetleyin.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bu proje yalnızca okunabilir ve okumak için bir kopyaya yer yok; geçici dosyalar klasöründe yer açın.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bu proje daha eski bir Ostraka ile yapılmış ve burada yalnızca okunabilir; yazabildiğiniz bir klasöre kopyalayıp orada açın.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Katalog bozuk ve hiçbir yedeği sağlam değil; bir arşivden ya da başka bir diskten backups klasörüne bir yedek kopyalayıp yeniden onarın.</translation>
     </message>

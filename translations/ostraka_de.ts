@@ -2266,7 +2266,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Ordner dieses Namens gibt es schon; wählen Sie einen anderen Namen.</translation>
     </message>
@@ -5269,7 +5269,7 @@
       <translation>„%1“ ist keine Art von Befund; möglich sind layer, cut, fill, structure, surface oder unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fundorte und Schnitte, die es noch nicht gab: %1; nachsehen, dass keiner ein Schreibfehler ist.</translation>
     </message>
@@ -5364,27 +5364,27 @@
       <translation>Das Netz braucht ein Farbfoto mit 8 Bit.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es ist kein Maßstab angegeben, in dem gezeichnet werden soll.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Vorschau wird zurückgenommen.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Archiv darf nicht im Projekt selbst liegen.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Projekt wird in einem neuen oder leeren Ordner wiederhergestellt; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export einlesen.</translation>
     </message>
@@ -7139,7 +7139,7 @@
       <translation>Eine Zeichnung braucht ein geschlossenes Modell; es mit 'ostraka process' erzeugen.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Verzeichnis der Dateien fehlt; das ist kein Export von Ostraka.</translation>
     </message>
@@ -7164,12 +7164,12 @@
       <translation>Hierhin lässt sich nicht schreiben; den freien Platz und die Zugriffsrechte prüfen.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Ordner dieses Namens gibt es schon; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Name in einem Export darf kein '%' enthalten.</translation>
     </message>
@@ -7179,12 +7179,12 @@
       <translation>Zwei Dateien des Exports hätten denselben Namen.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inzwischen hat jemand einen Ordner dieses Namens angelegt; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner ist kein Export von Ostraka: bagit.txt fehlt.</translation>
     </message>
@@ -7209,42 +7209,42 @@
       <translation>Diese Datei fehlt; nichts wurde eingelesen.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei wurde nach dem Export verändert; nichts wurde eingelesen.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Befund %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte closed steht yes oder no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte count_written steht eine ganze Zahl.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zeile hat %1 Werte, die Kopfzeile %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Spalte '%1' ist unbekannt; ihre Werte werden als eigenes Feld behalten.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist kein Text: sie enthält binäre Daten, die keine Tabelle hat.</translation>
     </message>
@@ -7259,12 +7259,12 @@
       <translation>Die Tabelle hat mehr als 1 000 000 Zeilen; sie aufteilen.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeile %1 öffnet ein Anführungszeichen, das nie geschlossen wird.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeile %1 hat Buchstaben hinter einem schließenden Anführungszeichen.</translation>
     </message>
@@ -7279,37 +7279,37 @@
       <translation>Die Tabelle ist leer; ihre erste Zeile muss die Spalten nennen.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihren Durchgang berechnen.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Maße ihres Durchgangs sind zweifelhaft: damit auch die Größe dieser Zeichnung.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie soll ein Rand sein, aber kein Abschnitt ihrer Kante kann einer sein; ohne Rand gezeichnet.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist nicht da und wurde ausgelassen.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist nicht das Foto, das eingetragen wurde; nachprüfen.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell oder Bild der Scherbe %1 ist nicht das, das eingetragen wurde; ihren Durchgang %2 noch einmal berechnen.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 geht unverkleinert mit: %2</translation>
     </message>
@@ -7324,7 +7324,7 @@
       <translation>Keine Bilder mit Masken und Posen von %1: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt keine Scherbe zum Ausgeben; zuerst welche auswählen.</translation>
     </message>
@@ -7334,17 +7334,17 @@
       <translation>Die Zeile hat weder eine Nummer noch eine uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das steht in zwei Zeilen der Tabelle.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer gehört einer anderen Scherbe als die uuid.</translation>
     </message>
@@ -7359,62 +7359,62 @@
       <translation>Eine Spalte der Tabelle hat keinen Namen.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Spalte '%1' gibt es zweimal.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Orte und Durchgänge sind nicht so geschrieben, wie Ostraka sie schreibt.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine PLY-Datei.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine GLB-Datei.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Export enthält keine Datensätze (JSON) von Scherben; mit ihnen neu ausgeben.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Projekt hat diese Scherbe mit anderen Werten; sie bleiben, und was abweicht, wird daneben in Feldern behalten, die auf _in_%1 enden.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei ist nicht unter den Dateien des Exports.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Projekt hat eine andere Datei dieses Namens; den Export umbenennen und noch einmal einlesen.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein Datensatz einer Scherbe (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Maß %1 hat eine andere Einheit als %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Wert des Datensatzes hat eine andere Art, als er sollte.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist zu groß für eine ZIP-Datei; weniger Scherben auswählen.</translation>
     </message>
@@ -8789,7 +8789,7 @@
       <translation>Diese Scherbe ist ungültig.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Scherbe ist ungültig, weil: %1</translation>
     </message>
@@ -8859,7 +8859,7 @@
       <translation>Dieser Durchgang wird gerade fotografiert; er wird berechnet, wenn das fertig ist.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Scherben, die im Export fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
     </message>
@@ -8884,7 +8884,7 @@
       <translation>%1 wurde neu aufgenommen, nachdem die Maske verbessert war; die Striche auf der früheren Aufnahme sind weggelassen. Sehen Sie die Maske an.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
     </message>
@@ -8994,12 +8994,12 @@
       <translation>Es gibt schon eine Datei dieses Namens; sie wird nicht überschrieben.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Export nennt einen Ort im Projekt, an den keine solche Datei gehört; nichts wurde eingetragen.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Archiv enthält ein Journal seines Katalogs, was kein Archiv von Ostraka tut; nichts wurde geschrieben.</translation>
     </message>
@@ -9109,17 +9109,17 @@
         <translation>Ein anderes Programm hat dieses Projekt geöffnet; schließen Sie es dort und reparieren Sie es dann.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder Spalten für Fundort und Befund (Befunde); geben Sie an, welche das sind.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Von %1 Zeilen sind %2 eingetragen; derselbe Import trägt die übrigen ein.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Spalte &apos;%1&apos; sagt dasselbe wie &apos;%2&apos;; ihre Werte bleiben als eigenes Feld.</translation>
     </message>

@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
@@ -5264,7 +5264,7 @@
       <translation>Το «%1» δεν είναι είδος πλαισίου· μπορεί να είναι layer, cut, fill, structure, surface ή unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Θέσεις και τομές που δεν υπήρχαν: %1· ελέγξτε ότι καμία δεν είναι λάθος γραφής.</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>Το δίκτυο χρειάζεται έγχρωμη φωτογραφία των 8 bit.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν δόθηκε κλίμακα για το σχέδιο.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια προεπισκόπηση αναιρείται.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα αρχείο δεν πρέπει να βρίσκεται μέσα στο ίδιο το έργο.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα έργο επαναφέρεται σε νέο ή κενό φάκελο· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· διαβάστε το ως εξαγωγή.</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο· φτιάξτε το με το 'ostraka process'.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λείπει ο κατάλογος των αρχείων (manifest)· δεν είναι εξαγωγή του Ostraka.</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>Δεν γίνεται εγγραφή εδώ· ελέγξτε τον ελεύθερο χώρο και τα δικαιώματα.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όνομα σε εξαγωγή δεν πρέπει να περιέχει '%'.</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Δύο αρχεία της εξαγωγής θα είχαν το ίδιο όνομα.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάποιος δημιούργησε εν τω μεταξύ φάκελο με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δεν είναι εξαγωγή του Ostraka: λείπει το bagit.txt.</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Αυτό το αρχείο λείπει· δεν διαβάστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο άλλαξε μετά την εξαγωγή· δεν διαβάστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει πλαίσιο %1· δημιουργήστε το ή αφήστε την εισαγωγή να το δημιουργήσει.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει σακούλα %1· δημιουργήστε την ή αφήστε την εισαγωγή να τη δημιουργήσει.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη closed δέχεται yes ή no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη count_written δέχεται ακέραιο αριθμό.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή έχει %1 τιμές, η επικεφαλίδα %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη '%1' δεν είναι γνωστή· οι τιμές της κρατιούνται ως δικό σας πεδίο.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο δεν είναι κείμενο: περιέχει δυαδικά δεδομένα, που κανένας πίνακας δεν έχει.</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>Ο πίνακας έχει πάνω από 1.000.000 γραμμές· χωρίστε τον.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή %1 ανοίγει εισαγωγικά που δεν κλείνουν ποτέ.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή %1 έχει γράμματα μετά από εισαγωγικά που κλείνουν.</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>Ο πίνακας είναι άδειος· η πρώτη του γραμμή πρέπει να ονομάζει τις στήλες.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το όστρακο δεν έχει ακόμη μοντέλο και δεν μπορεί να σχεδιαστεί· υπολογίστε πρώτα την παρτίδα του.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι μετρήσεις της παρτίδας του είναι αμφίβολες: το ίδιο και το μέγεθος αυτού του σχεδίου.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δηλώθηκε ως χείλος, αλλά κανένα τμήμα της ακμής του δεν μπορεί να είναι· σχεδιάστηκε χωρίς αυτό.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 δεν υπάρχει και παραλείφθηκε.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 δεν είναι η φωτογραφία που καταχωρίστηκε· ελέγξτε την.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο ή η εικόνα του οστράκου %1 δεν είναι αυτό που καταχωρίστηκε· υπολογίστε ξανά την παρτίδα του %2.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 εξάγεται ολόκληρο: %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>Χωρίς εικόνες με μάσκες και θέσεις της %1: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει όστρακο για εξαγωγή· επιλέξτε πρώτα μερικά.</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>Η γραμμή δεν έχει ούτε αριθμό ούτε uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό υπάρχει σε δύο γραμμές του πίνακα.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός ανήκει σε άλλο όστρακο από το uuid.</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Μια στήλη του πίνακα δεν έχει όνομα.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη '%1' υπάρχει δύο φορές.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτοί οι τόποι και οι παρτίδες δεν είναι γραμμένοι όπως τους γράφει το Ostraka.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι αρχείο PLY.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι αρχείο GLB.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η εξαγωγή δεν περιέχει εγγραφές (JSON) οστράκων· εξαγάγετέ την ξανά με αυτές.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο έχει αυτό το όστρακο με άλλες τιμές· αυτές μένουν, και ό,τι διαφέρει κρατιέται δίπλα τους σε πεδία που τελειώνουν σε _in_%1.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν είναι ανάμεσα στα αρχεία της εξαγωγής.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο έχει άλλο αρχείο με αυτό το όνομα· μετονομάστε την εξαγωγή και εισαγάγετέ την ξανά.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι εγγραφή οστράκου (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μέτρηση %1 έχει άλλη μονάδα από %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια τιμή της εγγραφής έχει άλλον τύπο από αυτόν που πρέπει.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι πολύ μεγάλο για ένα αρχείο ZIP· επιλέξτε λιγότερα όστρακα.</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Το όστρακο αυτό είναι άκυρο.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όστρακο αυτό είναι άκυρο, επειδή: %1</translation>
     </message>
@@ -8854,7 +8854,7 @@
       <translation>Αυτή η παρτίδα φωτογραφίζεται τώρα· θα υπολογιστεί όταν τελειώσει η φωτογράφιση.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι συγκολλήσεις με όστρακα που δεν υπάρχουν στην εξαγωγή ή δεν καταχωρίστηκαν παραλείπονται: %1· καταχωρίστε τις με το χέρι.</translation>
     </message>
@@ -8879,7 +8879,7 @@
       <translation>Η %1 ξαναφωτογραφήθηκε αφού διορθώθηκε η μάσκα της· οι πινελιές στην προηγούμενη φωτογραφία παραλείπονται. Κοιτάξτε τη μάσκα της.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα· δεν αντικαθίσταται.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εξαγωγή ορίζει στο έργο μια θέση όπου δεν ανήκει τέτοιο αρχείο· δεν καταχωρίστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Άλλο πρόγραμμα έχει ανοιχτό αυτό το έργο· κλείστε το εκεί και μετά επισκευάστε το.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο πίνακας χρειάζεται στήλη με τους αριθμούς των οστράκων, ή στήλες θέσης και ανασκαφικής ενότητας (ενότητες)· δηλώστε ποιες είναι.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Από %1 γραμμές καταχωρίστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη &apos;%1&apos; λέει το ίδιο με τη &apos;%2&apos;· οι τιμές της μένουν σε δικό σας πεδίο.</translation>
     </message>

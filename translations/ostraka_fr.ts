@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
@@ -5264,7 +5264,7 @@
       <translation>« %1 » n’est pas un type de contexte ; ce peut être layer, cut, fill, structure, surface ou unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sites et tranchées qui n’existaient pas : %1 ; vérifiez qu’aucun n’est une faute de frappe.</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>Le réseau a besoin d’une photo en couleurs de 8 bits.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune échelle de dessin n’est indiquée.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un aperçu est annulé.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une archive ne doit pas se trouver dans le projet lui-même.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un projet se restaure dans un dossier nouveau ou vide ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas l’archive d’un projet entier ; lisez-la plutôt comme un export.</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Un dessin demande un modèle fermé ; créez-le avec 'ostraka process'.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le manifeste manque ; ce n’est pas une exportation d’Ostraka.</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>L’écriture est impossible ici ; vérifiez la place restante et les droits d’accès.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nom dans une exportation ne doit pas contenir '%'.</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Deux fichiers de l’exportation auraient le même nom.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Quelqu’un a créé entre-temps un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’est pas une exportation d’Ostraka : bagit.txt manque.</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Ce fichier manque ; rien n’a été lu.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier a été modifié après l’exportation ; rien n’a été lu.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de contexte %1 ; créez-le, ou laissez l’importation le créer.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de sac %1 ; créez-le, ou laissez l’importation le créer.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne closed prend yes ou no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne count_written prend un nombre entier.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne a %1 valeurs, l’en-tête %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne '%1' n’est pas connue ; ses valeurs sont gardées comme un champ à vous.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier n’est pas du texte : il contient des données binaires, ce qu’aucun tableau n’a.</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>Le tableau a plus de 1 000 000 de lignes ; divisez-le.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne %1 ouvre un guillemet qui n’est jamais fermé.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne %1 a des lettres après un guillemet fermant.</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>Le tableau est vide ; sa première ligne doit nommer les colonnes.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce tesson n’a pas encore de modèle et ne peut donc pas être dessiné ; calculez d’abord son lot.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mesures de son lot sont douteuses : la taille de ce dessin aussi.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il est dit que c’est un bord, mais aucune partie de son contour ne peut en être un ; dessiné sans.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n’est pas là et a été laissé de côté.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n’est pas la photo qui a été inscrite ; vérifiez-la.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle ou cette image du tesson %1 n'est pas celui qui a été inscrit ; recalculez son lot %2.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est exporté en entier : %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>Pas d’images avec masques et poses de %1 : %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a aucun tesson à exporter ; choisissez-en d’abord.</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>La ligne n’a ni numéro ni uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cela figure dans deux lignes du tableau.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro et l’uuid sont ceux de deux tessons différents.</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Une colonne du tableau n’a pas de nom.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne '%1' figure deux fois.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces lieux et ces lots ne sont pas écrits comme Ostraka les écrit.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier PLY.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier GLB.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette exportation ne contient pas de fiches (JSON) de tessons ; exportez-la à nouveau avec elles.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet a ce tesson avec d’autres valeurs ; elles restent, et ce qui diffère est gardé à côté dans des champs finissant par _in_%1.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier n’est pas parmi les fichiers de l’exportation.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet a un autre fichier de ce nom ; renommez l’exportation, et importez-la à nouveau.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas la fiche d’un tesson (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesure %1 a une autre unité que %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une valeur de la fiche n’est pas du type voulu.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est trop grand pour un seul fichier ZIP ; choisissez moins de tessons.</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Ce tesson est annulé.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce tesson est annulé, parce que : %1</translation>
     </message>
@@ -8854,7 +8854,7 @@
       <translation>Ce lot est en train d'être photographié ; il sera calculé quand ce sera fini.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les remontages avec des tessons que l’exportation ne contient pas ou qui ne sont pas entrés sont omis : %1 ; saisissez-les à la main.</translation>
     </message>
@@ -8879,7 +8879,7 @@
       <translation>%1 a été reprise après la retouche de son masque ; les traits sur la photographie précédente sont laissés de côté. Regardez son masque.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les remontages avec des lignes qui ne sont pas entrées sont omis : %1 ; importez de nouveau le tableau quand ces lignes seront corrigées.</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Un fichier de ce nom existe déjà ; il n&apos;est pas écrasé.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;export nomme un endroit du projet où un tel fichier n&apos;a pas sa place ; rien n&apos;a été enregistré.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Un autre programme a ce projet ouvert ; fermez-le là, puis réparez-le.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; indiquez lesquelles.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sur %1 lignes, %2 sont enregistrées ; la même importation enregistre les autres.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne &apos;%1&apos; dit la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ à vous.</translation>
     </message>

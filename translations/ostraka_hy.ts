@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
@@ -5264,7 +5264,7 @@
       <translation>«%1»-ը համատեքստի տեսակ չէ. այն կարող է լինել layer, cut, fill, structure, surface կամ unstratified։</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձաններ և խրամատներ, որոնք չկային. %1. ստուգեք, որ դրանցից ոչ մեկը վրիպակ չլինի։</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>Ցանցին պետք է 8 բիթանոց գունավոր լուսանկար։</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծագրի մասշտաբը տրված չէ։</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախադիտումը հետ է վերցվում։</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արխիվը չպետք է գտնվի հենց նախագծի մեջ։</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագիծը վերականգնվում է նոր կամ դատարկ պանակում. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա ամբողջ նախագծի արխիվ չէ. կարդացեք այն որպես արտահանում։</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Գծանկարին պետք է փակ մոդել. ստեղծեք այն 'ostraka process'-ով։</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլերի ցուցակը (manifest) բացակայում է. սա Ostraka-ի արտահանում չէ։</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>Այստեղ հնարավոր չէ գրել. ստուգեք ազատ տեղը և թույլտվությունները։</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման անունը չպետք է պարունակի '%'։</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Արտահանման երկու ֆայլ կունենային նույն անունը։</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մինչ այդ մեկը ստեղծել է այս անունով պանակ. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակն Ostraka-ի արտահանում չէ. bagit.txt-ը բացակայում է։</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Այս ֆայլը բացակայում է. ոչինչ չի կարդացվել։</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը փոխվել է արտահանումից հետո. ոչինչ չի կարդացվել։</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տոպրակ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed սյունակում գրվում է yes կամ no։</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>count_written սյունակում գրվում է ամբողջ թիվ։</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տողն ունի %1 արժեք, վերնագիրը՝ %2։</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' սյունակը հայտնի չէ. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ։</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը տեքստ չէ. այն պարունակում է երկուական տվյալներ, որոնք ոչ մի աղյուսակում չեն լինում։</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>Աղյուսակն ունի 1 000 000-ից ավելի տող. բաժանեք այն։</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տողը բացում է չակերտ, որը երբեք չի փակվում։</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տողը փակող չակերտից հետո տառեր ունի։</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>Աղյուսակը դատարկ է. առաջին տողը պետք է նշի սյունակները։</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս բեկորը դեռ մոդել չունի և չի կարող գծվել. նախ հաշվեք դրա խմբաքանակը։</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրա խմբաքանակի չափերը կասկածելի են. նույնը՝ այս գծանկարի չափը։</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ասված է, որ շուրթ է, բայց եզրի ոչ մի հատված շուրթ չի կարող լինել. գծված է առանց դրա։</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը չկա և բաց է թողնվել։</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը գրանցված լուսանկարը չէ. ստուգեք այն։</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 բեկորի այս մոդելը կամ պատկերը գրանցվածը չէ. նորից հաշվարկեք նրա %2 խմբաքանակը։</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն արտահանվում է ամբողջությամբ. %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>%1-ի պատկերներ դիմակներով ու դիրքերով չկան. %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանելու բեկոր չկա. նախ ընտրեք։</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>Տողը ո՛չ համար ունի, ո՛չ uuid։</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա աղյուսակի երկու տողում կա։</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա uuid չէ։</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարն այլ բեկորինն է, քան uuid-ը։</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Աղյուսակի մի սյունակ անուն չունի։</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' սյունակը երկու անգամ կա։</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեղերն ու խմբաքանակները գրված չեն այնպես, ինչպես գրում է Ostraka-ն։</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա PLY ֆայլ չէ։</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա GLB ֆայլ չէ։</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս արտահանումը բեկորների գրառումներ (JSON) չի պարունակում. նորից արտահանեք դրանցով։</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծում այս բեկորն այլ արժեքներ ունի. դրանք մնում են, իսկ տարբերվողը պահվում է կողքին՝ _in_%1-ով վերջացող դաշտերում։</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլն արտահանման ֆայլերի մեջ չէ։</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագիծն ունի այս անունով այլ ֆայլ. վերանվանեք արտահանումը և նորից ներմուծեք։</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա բեկորի գրառում չէ (ostraka-sherd/1)։</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 չափն այլ միավոր ունի, քան %2։</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գրառման մի արժեք պատշաճ տեսակի չէ։</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա մեկ ZIP ֆայլի համար չափազանց մեծ է. ընտրեք ավելի քիչ բեկոր։</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Այս բեկորն անվավեր է։</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս բեկորն անվավեր է, քանի որ՝ %1</translation>
     </message>
@@ -8854,7 +8854,7 @@
       <translation>Այս խմբաքանակը լուսանկարվում է. կհաշվարկվի, երբ դա ավարտվի։</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն մուտքագրվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
     </message>
@@ -8879,7 +8879,7 @@
       <translation>%1-ը նորից է նկարվել իր դիմակը շտկելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Նայեք դրա դիմակը։</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Այս անունով ֆայլ արդեն կա. այն չի վերագրվում։</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չմուտքագրվեց։</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Այս նախագիծը բացված է մեկ այլ ծրագրում. փակեք այն այնտեղ, ապա վերականգնեք։</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Աղյուսակին պետք է խեցաբեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 տողից մուտքագրված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&apos;%1&apos; սյունակը նույնն է ասում, ինչ &apos;%2&apos;-ը. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ:</translation>
     </message>

@@ -2232,7 +2232,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
@@ -5216,7 +5216,7 @@
       <translation>“%1” bir kontekst türü değil; layer, cut, fill, structure, surface ya da unstratified olabilir.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz olmayan alanlar ve açmalar: %1; hiçbirinin yazım hatası olmadığına bakın.</translation>
     </message>
@@ -5311,27 +5311,27 @@
       <translation>Ağ için 8 bitlik renkli bir fotoğraf gerekir.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim için bir ölçek verilmedi.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir önizleme geri alınır.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arşiv, projenin kendi içinde olamaz.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir proje yeni ya da boş bir klasöre geri yüklenir; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, bütün bir projenin arşivi değil; bunun yerine dışa aktarım olarak okuyun.</translation>
     </message>
@@ -7086,7 +7086,7 @@
       <translation>Çizim için kapalı bir model gerekir; 'ostraka process' ile yapın.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya listesi (manifest) eksik; bu bir Ostraka dışa aktarması değil.</translation>
     </message>
@@ -7111,12 +7111,12 @@
       <translation>Buraya yazılamıyor; kalan yeri ve izinleri denetleyin.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmadaki bir ad '%' içeremez.</translation>
     </message>
@@ -7126,12 +7126,12 @@
       <translation>Dışa aktarmanın iki dosyası aynı adı taşırdı.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arada biri bu adda bir klasör oluşturmuş; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör bir Ostraka dışa aktarması değil: bagit.txt eksik.</translation>
     </message>
@@ -7156,42 +7156,42 @@
       <translation>Bu dosya eksik; hiçbir şey okunmadı.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya dışa aktarmadan sonra değiştirilmiş; hiçbir şey okunmadı.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 torbası yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed sütununa yes ya da no yazılır.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>count_written sütununa tam sayı yazılır.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Satırda %1 değer var, başlıkta %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' sütunu bilinmiyor; değerleri kendi alanınız olarak saklanıyor.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya metin değil: hiçbir tabloda olmayan ikili veriler içeriyor.</translation>
     </message>
@@ -7206,12 +7206,12 @@
       <translation>Tabloda 1.000.000’dan çok satır var; bölün.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. satır hiç kapatılmayan bir tırnak açıyor.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. satırda kapanan tırnaktan sonra harfler var.</translation>
     </message>
@@ -7226,37 +7226,37 @@
       <translation>Tablo boş; ilk satırı sütunları adlandırmalı.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parçanın henüz modeli yok, bu yüzden çizilemiyor; önce partisini hesaplayın.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partisinin ölçüleri şüpheli: bu çizimin boyutu da öyle.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız olduğu söylenmiş, ama kenarının hiçbir bölümü ağız olamaz; ağızsız çizildi.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 yok ve atlandı.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kayda girilen fotoğraf değil; denetleyin.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parçasının bu modeli ya da resmi kaydedilen değil; %2 partisini yeniden hesaplayın.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 olduğu gibi aktarıldı: %2</translation>
     </message>
@@ -7271,7 +7271,7 @@
       <translation>%1 için maske ve duruşlu resim yok: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarılacak parça yok; önce birkaçını seçin.</translation>
     </message>
@@ -7281,17 +7281,17 @@
       <translation>Satırda ne numara ne de uuid var.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, tablonun iki satırında var.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir uuid değil.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara, uuid’nin gösterdiğinden başka bir parçanın.</translation>
     </message>
@@ -7306,62 +7306,62 @@
       <translation>Tablonun bir sütununun adı yok.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' sütunu iki kez var.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yerler ve partiler Ostraka’nın yazdığı gibi yazılmamış.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir PLY dosyası değil.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir GLB dosyası değil.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dışa aktarmada parça kayıtları (JSON) yok; kayıtlarla birlikte yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projede bu parça başka değerlerle var; onlar kalıyor, farklı olanlar yanlarında _in_%1 ile biten alanlarda saklanıyor.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya dışa aktarmanın dosyaları arasında değil.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projede bu adda başka bir dosya var; dışa aktarmanın adını değiştirin ve yeniden alın.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir parça kaydı değil (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ölçüsünün birimi %2 değil.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydın bir değeri olması gereken türde değil.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, tek bir ZIP dosyası için çok büyük; daha az parça seçin.</translation>
     </message>
@@ -8736,7 +8736,7 @@
       <translation>Bu parça geçersiz.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parça geçersiz, çünkü: %1</translation>
     </message>
@@ -8806,7 +8806,7 @@
       <translation>Bu parti şu anda fotoğraflanıyor; bitince hesaplanır.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmada bulunmayan ya da girilmeyen parçalarla birleşmeler dışarıda bırakıldı: %1; bunları elle girin.</translation>
     </message>
@@ -8831,7 +8831,7 @@
       <translation>%1, maskesi düzeltildikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>
@@ -8941,12 +8941,12 @@
       <translation>Bu adda bir dosya zaten var; üzerine yazılmaz.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarım, projede böyle bir dosyanın yeri olmayan bir konum belirtiyor; hiçbir şey girilmedi.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
     </message>
@@ -9056,17 +9056,17 @@
         <translation>Bu proje başka bir programda açık; orada kapatıp sonra onarın.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tabloda parça numaraları için bir sütun ya da alan ve kontekst sütunları (kontekstler) olmalı; hangileri olduğunu belirtin.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 satırdan %2 tanesi girildi; aynı içe aktarma ötekileri girer.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&apos;%1&apos; sütunu &apos;%2&apos; ile aynı şeyi söylüyor; değerleri kendi alanınız olarak saklanır.</translation>
     </message>

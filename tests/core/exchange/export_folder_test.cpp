@@ -151,7 +151,7 @@ TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
       EXPECT_THAT(
           *readFile(models / (std::string(sherd) + ending)),
           testing::HasSubstr(
-              " lighter than the model as computed: 99.9 % within 0 mm, all within 0 mm\n"));
+              " simplified from the full-detail model: 99.9 % within 0 mm, all within 0 mm\n"));
     EXPECT_THAT(*readFile(models / (std::string(sherd) + ".glb")),
                 testing::HasSubstr("\"deviation_mm\":0"));
   }
@@ -344,7 +344,7 @@ TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {
     const Result<Exported> done = exportTo("out", all);
     ASSERT_FALSE(done);
     EXPECT_THAT(done.error().sentence(),
-                testing::HasSubstr("of the sherd ARM1-T3-0012-0002 is not the one"));
+                testing::HasSubstr("of the sherd ARM1-T3-0012-0002 differs from"));
     put(file, was);
   }
   EXPECT_FALSE(fs::exists(folder_.path() / "out"));

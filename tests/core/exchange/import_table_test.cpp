@@ -96,15 +96,16 @@ TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
   EXPECT_NE(row("X-1,ARM1,T3,0012,,1001,,,").find("1000 mm"), std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0012,,,brown,,").find("2 munsell_out brown"), std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0012,,,,600 BC,").find("2 date_edtf 600 BC"), std::string::npos);
-  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,,nonsense").find("2 uuid nonsense: This is no uuid"),
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,,nonsense").find("2 uuid nonsense: Not a uuid"),
             std::string::npos);
   EXPECT_NE(row("ARM1-T3-0012-0001,,,,,,,,019f5ff6-39c0-7b3a-9c55-2f7e8d104ab6")
-                .find("another sherd than the uuid"),
+                .find("belong to different sherds"),
             std::string::npos);
   EXPECT_NE(row(",ARM1,T3,0012,,,,,").find("neither a number nor a uuid"), std::string::npos);
-  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, the header 9"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, but the header has 9"),
+            std::string::npos);
   EXPECT_NE(why(head + "Y-1,ARM1,T3,0012,,,,,\ny-1,ARM1,T3,0012,,,,,\n")
-                .find("3 number y-1: This stands in two rows"),
+                .find("3 number y-1: This appears in two rows"),
             std::string::npos);
   EXPECT_FALSE(*catalogue().sherdByNumber("X-1")) << "a refused row leaves nothing";
   EXPECT_TRUE(*catalogue().sherdByNumber("Y-1")) << "the other rows enter";
@@ -167,9 +168,7 @@ TEST_F(Import, OfContextsNamesTheSitesThatItMakesAndTheKindsThatThereAre) {
       report.refusals[0].reason,
       "'pit' is not a kind of context; use layer, cut, fill, structure, surface or unstratified.");
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_EQ(report.warnings[0],
-            "Sites and trenches that were not there: NOPE, NOPE T1; look that none is a slip of "
-            "the pen.");
+  EXPECT_EQ(report.warnings[0], "New sites and trenches: NOPE, NOPE T1; check for typos.");
 }
 
 TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {

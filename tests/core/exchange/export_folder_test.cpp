@@ -375,13 +375,13 @@ TEST_F(Export, RecordsOfStrangersAreReadWithCare) {
     const Result<ReadSherdJson> read = parseSherdJson(text, "x.json");
     return read ? std::string("accepted") : read.error().sentence();
   };
-  EXPECT_NE(why("{}").find("no record"), std::string::npos);
-  EXPECT_NE(why("[1]").find("no record"), std::string::npos);
-  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("another type"),
+  EXPECT_NE(why("{}").find("Not a sherd record"), std::string::npos);
+  EXPECT_NE(why("[1]").find("Not a sherd record"), std::string::npos);
+  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("wrong type"),
             std::string::npos);
   EXPECT_NE(why(R"({"format":"ostraka-sherd/1","measurements":)"
                 R"([{"kind":"length","value":1,"unit":"cm"}]})")
-                .find("another unit than mm"),
+                .find("a unit other than mm"),
             std::string::npos);
   const Result<ReadSherdJson> own =
       parseSherdJson(R"({"format":"ostraka-sherd/1","id":"x","mine":{"a":1}})", "x");

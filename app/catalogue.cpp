@@ -60,7 +60,7 @@ const char* chosenBy(exchange::ChosenBy by) {
     case exchange::ChosenBy::Nobody:
       break;
   }
-  return "a field of your own";
+  return "a custom field";
 }
 
 // What was mapped, a line a column.

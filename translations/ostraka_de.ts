@@ -1627,7 +1627,7 @@
       <translation>Vorn %1, hinten %2</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Kamera zeigt kein Livebild.</translation>
     </message>
@@ -2266,7 +2266,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Ordner dieses Namens gibt es schon; wählen Sie einen anderen Namen.</translation>
     </message>
@@ -5091,47 +5091,47 @@
       <translation>(%1, %2) mm</translation>
     </message>
     <message>
-      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Scherben konnten nicht gezählt werden: zu wenige Marken der Platte sind zu sehen.</translation>
     </message>
     <message>
-      <source>No sherd is seen on the plate.</source>
+      <source>No sherd is visible on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf der Platte ist keine Scherbe zu sehen.</translation>
     </message>
     <message>
-      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte der Platte: auseinanderrücken und noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was bei %1 von der Mitte der Platte liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Rückseite sieht aus wie die Vorderseite: die Scherben umdrehen und noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
-      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vorn waren %1 Scherben zu sehen, hinten %2: die fehlende suchen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vorn waren %1 Scherben zu sehen, hinten %2: kam eine hinzu, oder zerbrach eine?</translation>
     </message>
@@ -5154,7 +5154,7 @@
       <translation>Die Kamera ist nicht angeschlossen oder nicht eingeschaltet.</translation>
     </message>
     <message>
-      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera antwortet nicht; schläft sie? Ihre automatische Abschaltung ausschalten.</translation>
     </message>
@@ -5164,72 +5164,72 @@
       <translation>Die Kamera bleibt beschäftigt; aus- und wieder einschalten.</translation>
     </message>
     <message>
-      <source>The line to the camera is broken; look at its cable.</source>
+      <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Verbindung zur Kamera ist unterbrochen; ihr Kabel prüfen.</translation>
     </message>
     <message>
-      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderes Programm hält die Kamera fest, oft die Dateiverwaltung; 'ostraka devices' nennt es.</translation>
     </message>
     <message>
-      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera lässt sich nicht öffnen; darf dieser Benutzer sie verwenden? Siehe 'ostraka devices'.</translation>
     </message>
     <message>
-      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Von der Kamera kam kein Foto; ist sie scharf gestellt und auf manuell?</translation>
     </message>
     <message>
-      <source>The camera does not stop to deliver photographs.</source>
+      <source>The camera does not stop sending photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera hört nicht auf, Fotos zu liefern.</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Kamera zeigt kein Livebild.</translation>
     </message>
     <message>
-      <source>The turntable does not reach its angle; is it blocked?</source>
+      <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch erreicht seinen Winkel nicht; ist er blockiert?</translation>
     </message>
     <message>
-      <source>The turntable was paused at its own button.</source>
+      <source>The turntable was paused with its own button.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch wurde an seinem eigenen Knopf angehalten.</translation>
     </message>
     <message>
-      <source>The table's position is not known: home it, or align it.</source>
+      <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Stellung des Tisches ist unbekannt: nullen oder ausrichten.</translation>
     </message>
     <message>
-      <source>The turntable does not answer in the network.</source>
+      <source>The turntable does not answer on the network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch antwortet nicht im Netz.</translation>
     </message>
     <message>
-      <source>The controller restarted; the table's position is not known.</source>
+      <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Steuerung ist neu gestartet; die Stellung des Tisches ist unbekannt.</translation>
     </message>
     <message>
-      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Antwort des Drehtisches ging verloren, und er kann nicht sagen, wo er steht: nullen oder ausrichten.</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch antwortet nicht wie eine GRBL-Steuerung: ist er eingeschaltet und von dieser Art?</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch antwortet nicht wie ein ComXim: ist er eingeschaltet und von dieser Art?</translation>
     </message>
@@ -5239,7 +5239,7 @@
       <translation>USB funktioniert auf diesem Computer nicht.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and shoot on.</source>
+      <source>The disk is full; free some space, then continue shooting.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Datenträger ist voll; Platz schaffen und weiter aufnehmen.</translation>
     </message>
@@ -5249,12 +5249,12 @@
       <translation>Der Datenträger ist voll; Platz schaffen und dasselbe noch einmal beginnen.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Datenträger ist voll; Platz schaffen und noch einmal versuchen. Nichts ging verloren.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderes Programm hält den Katalog besetzt; es schließen und noch einmal versuchen.</translation>
     </message>
@@ -5264,12 +5264,12 @@
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ ist keine Art von Befund; möglich sind layer, cut, fill, structure, surface oder unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fundorte und Schnitte, die es noch nicht gab: %1; nachsehen, dass keiner ein Schreibfehler ist.</translation>
     </message>
@@ -5309,7 +5309,7 @@
       <translation>Kamera %1: ihr Weißabgleich ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Kamera erklärt die Kalibrierbilder.</translation>
     </message>
@@ -5324,7 +5324,7 @@
       <translation>Kein Ordner eines Durchgangs wurde angegeben.</translation>
     </message>
     <message>
-      <source>The angle is no number.</source>
+      <source>The angle is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Winkel ist keine Zahl.</translation>
     </message>
@@ -5364,27 +5364,27 @@
       <translation>Das Netz braucht ein Farbfoto mit 8 Bit.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es ist kein Maßstab angegeben, in dem gezeichnet werden soll.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Vorschau wird zurückgenommen.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Archiv darf nicht im Projekt selbst liegen.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Projekt wird in einem neuen oder leeren Ordner wiederhergestellt; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export einlesen.</translation>
     </message>
@@ -5574,7 +5574,7 @@
       <translation>Die Seite eines Markers muss zwischen 0,5 und 1000 mm liegen; ein schwarzes Quadrat auf dem Papier messen.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In diesen %2 Fotos wird kein Bogen mit mindestens %1 Markern aus OpenCVs Wörterbüchern gelesen; Fotos aufnehmen, die mehr davon zeigen, oder seine plate.json nennen.</translation>
     </message>
@@ -5739,32 +5739,32 @@
       <translation>Die Tafel braucht 'dictionary', 'squares_x', 'squares_y', 'square_mm' und 'marker_mm'.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ordner für den Durchgang wählen oder seine Zugriffsrechte prüfen.</translation>
     </message>
     <message>
-      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; einen anderen Durchgang nennen.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
+      <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchgang wurde auf einer anderen Platte begonnen: mit jener weitermachen oder einen anderen Durchgang beginnen.</translation>
     </message>
     <message>
-      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchgang wurde mit %1 Kameras und %2 Positionen begonnen, nicht mit %3 und %4; einen anderen Ordner nennen.</translation>
     </message>
     <message>
-      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Foto wurde seit der Aufnahme verändert; das Original zurücklegen oder einen anderen Ordner für den Durchgang nennen.</translation>
     </message>
     <message>
-      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Foto wurde nicht hier aufgenommen; einen anderen Ordner für den Durchgang nennen.</translation>
     </message>
@@ -5774,12 +5774,12 @@
       <translation>Kamera %1 liefert nur Rohdateien; ihr Bildformat auf JPEG oder auf beides stellen.</translation>
     </message>
     <message>
-      <source>%1 is %2, the rig says %3</source>
+      <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist %2, der Messplatz sagt %3</translation>
     </message>
     <message>
-      <source>%1 is %2, at the first photograph it was %3</source>
+      <source>%1 is %2, but the first photograph used %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist %2, beim ersten Foto war es %3</translation>
     </message>
@@ -5794,72 +5794,72 @@
       <translation>Der Drehtisch hat nicht geantwortet.</translation>
     </message>
     <message>
-      <source>The turntable does not tell where it stands.</source>
+      <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch sagt nicht, wo er steht.</translation>
     </message>
     <message>
-      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch hat einen Befehl abgelehnt (Fehler %1): falsche Art von Tisch oder schlechtes Kabel.</translation>
     </message>
     <message>
-      <source>The table's speed must be more than 0.</source>
+      <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Geschwindigkeit des Tisches muss größer als 0 sein.</translation>
     </message>
     <message>
-      <source>The line to the turntable is broken (%1).</source>
+      <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Verbindung zum Drehtisch ist unterbrochen (%1).</translation>
     </message>
     <message>
-      <source>is not open</source>
+      <source>it is not open</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ist nicht offen</translation>
     </message>
     <message>
-      <source>takes no more bytes</source>
+      <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>nimmt keine Bytes mehr an</translation>
     </message>
     <message>
-      <source>was closed at the other end</source>
+      <source>it was closed at the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>wurde am anderen Ende geschlossen</translation>
     </message>
     <message>
-      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser serielle Anschluss darf nicht benutzt werden; die udev-Regeln von Ostraka installieren oder der Gruppe dialout beitreten und neu anmelden.</translation>
     </message>
     <message>
-      <source>The serial port is used by another program; close it.</source>
+      <source>Another program uses the serial port; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der serielle Anschluss wird von einem anderen Programm benutzt; es schließen.</translation>
     </message>
     <message>
-      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den seriellen Anschluss gibt es nicht; ist der Drehtisch angeschlossen und eingeschaltet?</translation>
     </message>
     <message>
-      <source>This is no serial port.</source>
+      <source>Not a serial port.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein serieller Anschluss.</translation>
     </message>
     <message>
-      <source>The serial port does not take its settings.</source>
+      <source>The serial port does not accept its settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der serielle Anschluss nimmt seine Einstellungen nicht an.</translation>
     </message>
     <message>
-      <source>The turntable's address is not known in this network.</source>
+      <source>The turntable&apos;s address is unknown on this network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Adresse des Drehtisches ist in diesem Netz unbekannt.</translation>
     </message>
     <message>
-      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein serieller Anschluss kann nicht mit %1 Baud arbeiten; üblich sind 9600 und 115200.</translation>
     </message>
@@ -5869,22 +5869,22 @@
       <translation>Eine Netzadresse sieht aus wie 192.168.0.7:23.</translation>
     </message>
     <message>
-      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Arbeitsfläche gibt die Kamera nicht frei: %1 hält sie noch fest; ihr Dateifenster schließen und noch einmal versuchen.</translation>
     </message>
     <message>
-      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <source>A watched folder has no setting %1; set it on the camera.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein überwachter Ordner hat keine Einstellung %1; an der Kamera einstellen.</translation>
     </message>
     <message>
-      <source>A watched folder shows no live picture.</source>
+      <source>A watched folder has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein überwachter Ordner zeigt kein Livebild.</translation>
     </message>
     <message>
-      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In %1 Sekunden kam kein neues Foto; schreibt das Programm der Kamera in diesen Ordner?</translation>
     </message>
@@ -5894,22 +5894,22 @@
       <translation>Der überwachte Ordner lässt sich nicht lesen (%1).</translation>
     </message>
     <message>
-      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Für eine Aufnahme kamen zwei Fotos, %1 und %2; eine Kamera je Ordner, ein Foto je Position.</translation>
     </message>
     <message>
-      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <source>The camera with this serial number is not plugged in; found: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera mit dieser Seriennummer ist nicht angeschlossen; da ist: %1.</translation>
     </message>
     <message>
-      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <source>The camera does not offer %1 for %2; it is set to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera bietet %1 für %2 nicht an; sie steht auf %3.</translation>
     </message>
     <message>
-      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera lässt %1 auf %2 statt auf %3; ihr Moduswahlrad prüfen.</translation>
     </message>
@@ -5924,7 +5924,7 @@
       <translation>Die Kamera meldet: %1.</translation>
     </message>
     <message>
-      <source>The table has no zero switch.</source>
+      <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Tisch hat keinen Nullschalter.</translation>
     </message>
@@ -5939,7 +5939,7 @@
       <translation>Er hat sich nicht entsperrt.</translation>
     </message>
     <message>
-      <source>It did not answer when the shutters were to be fired.</source>
+      <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Er hat nicht geantwortet, als ausgelöst werden sollte.</translation>
     </message>
@@ -5949,17 +5949,17 @@
       <translation>Der Drehtisch antwortet nicht.</translation>
     </message>
     <message>
-      <source>The turntable does not come to rest.</source>
+      <source>The turntable does not stop moving.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch kommt nicht zur Ruhe.</translation>
     </message>
     <message>
-      <source>The turntable does not take its zero.</source>
+      <source>The turntable does not accept its zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch nimmt seinen Nullpunkt nicht an.</translation>
     </message>
     <message>
-      <source>The controller counts from anew; the table's position is not known.</source>
+      <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Steuerung zählt von vorn; die Stellung des Tisches ist unbekannt.</translation>
     </message>
@@ -5979,72 +5979,72 @@
       <translation>Der Auslöserausgang muss M8, M7, M3 oder M62 Pn sein.</translation>
     </message>
     <message>
-      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Tisch wurde in der Bewegung angehalten, seine Stellung ist verloren: die Nullmarke ausrichten (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Steuerung des Tisches sagt, die Drehung gehe über seinen Weg hinaus: $20 ausschalten (ALARM:%1).</translation>
     </message>
     <message>
-      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Nullen ist misslungen: den Nullschalter und sein Kabel prüfen (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Steuerung des Tisches meldet einen Alarm (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Steuerung versteht den Befehl nicht: falsche Art von Steuerung oder schlechtes Kabel (error:%1).</translation>
     </message>
     <message>
-      <source>The table has no zero switch (error:%1).</source>
+      <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Tisch hat keinen Nullschalter (error:%1).</translation>
     </message>
     <message>
-      <source>The table is still moving (error:%1).</source>
+      <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Tisch bewegt sich noch (error:%1).</translation>
     </message>
     <message>
-      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Tisch ist gesperrt: nullen oder entsperren (error:%1).</translation>
     </message>
     <message>
-      <source>The table's controller refused a command (error:%1).</source>
+      <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Steuerung des Tisches hat einen Befehl abgelehnt (error:%1).</translation>
     </message>
     <message>
-      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Tisch gegen den Uhrzeigersinn auf %1 Grad drehen und die Hand wegnehmen.</translation>
     </message>
     <message>
-      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Fotoliste von Ostraka; einen anderen Ordner für den Durchgang nennen.</translation>
     </message>
     <message>
-      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Treiber %1 des Drehtisches ist unbekannt; es gibt: grbl, comxim1, comxim2, text, hand.</translation>
     </message>
     <message>
-      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <source>The camera driver %1 is unknown; available: folder, gphoto2, uvc.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Kameratreiber %1 ist unbekannt; es gibt: folder, gphoto2, uvc.</translation>
     </message>
     <message>
-      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Messplatz nennt keine Geräte; 'ostraka devices' sagt, was angeschlossen ist und wie es dort einzutragen ist.</translation>
     </message>
@@ -6059,12 +6059,12 @@
       <translation>settle_s und speed_deg_s müssen positiv sein.</translation>
     </message>
     <message>
-      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Teil 'devices' lässt sich nicht lesen; mit dem Kapitel über Geräte im README vergleichen.</translation>
     </message>
     <message>
-      <source>The number of stops must lie between 3 and 99.</source>
+      <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zahl der Positionen muss zwischen 3 und 99 liegen.</translation>
     </message>
@@ -6074,32 +6074,32 @@
       <translation>Der Messplatz hat keine Kamera oder keinen Drehtisch.</translation>
     </message>
     <message>
-      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Aufnahme %1 zum Wiederholen gibt es nicht: Diese Seite hat die Positionen 1 bis %2 und die Kameras A bis %3.</translation>
     </message>
     <message>
-      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 dieses Durchgangs war %2, die hier ist %3; mit den Kameras weitermachen, die sie begonnen haben, oder einen anderen Ordner nennen.</translation>
     </message>
     <message>
-      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Stellung des Tisches ist unbekannt: seine Nullmarke nach vorn drehen und den Nullpunkt setzen.</translation>
     </message>
     <message>
-      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1, Position %2 misslang %3-mal: %4.</translation>
     </message>
     <message>
-      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 liefert nur frühere oder beschädigte Fotos; aus- und wieder einschalten.</translation>
     </message>
     <message>
-      <source>The turntable does not answer as a %1; is it another one?</source>
+      <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch antwortet nicht als %1; ist es ein anderer?</translation>
     </message>
@@ -6114,52 +6114,52 @@
       <translation>Text-Steuerung</translation>
     </message>
     <message>
-      <source>This table has no zero switch: align it by eye.</source>
+      <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Tisch hat keinen Nullschalter: nach Augenmaß ausrichten.</translation>
     </message>
     <message>
-      <source>The turntable refuses: %1.</source>
+      <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch lehnt ab: %1.</translation>
     </message>
     <message>
-      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <source>The turntable is at %1 degrees instead of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch steht auf %1 Grad statt auf %2.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Wörter des Drehtisches: 'move' muss {target} oder {by} enthalten.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Wörter des Drehtisches: 'accepted' muss sagen, wie er antwortet.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Wörter des Drehtisches: 'query' und 'position' gehören zusammen.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Wörter des Drehtisches: 'reply_s' muss größer als 0 sein.</translation>
     </message>
     <message>
-      <source>The turntable's words: '%1' is no regular expression.</source>
+      <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Wörter des Drehtisches: '%1' ist kein regulärer Ausdruck.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Wörter des Drehtisches: 'position' braucht eine Gruppe für den Winkel.</translation>
     </message>
     <message>
-      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'dialect' des Drehtisches muss "marlin" sein oder seine Wörter nennen.</translation>
     </message>
@@ -6174,17 +6174,17 @@
       <translation>Der Drehtisch wurde abgezogen.</translation>
     </message>
     <message>
-      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die USB-Verbindung des Drehtisches ist ausgefallen (%1); noch einmal einstecken.</translation>
     </message>
     <message>
-      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <source>You have no permission to use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses USB-Gerät darf nicht benutzt werden; packaging/udev/70-ostraka.rules installieren und noch einmal einstecken.</translation>
     </message>
     <message>
-      <source>The turntable is used by another program; close it.</source>
+      <source>Another program uses the turntable; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch wird von einem anderen Programm benutzt; es schließen.</translation>
     </message>
@@ -6194,22 +6194,22 @@
       <translation>Der Drehtisch lässt sich nicht öffnen (%1).</translation>
     </message>
     <message>
-      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <source>This USB device is not a serial controller (CDC-ACM).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses USB-Gerät ist keine serielle Steuerung (CDC-ACM).</translation>
     </message>
     <message>
-      <source>The turntable of this serial number is not plugged in.</source>
+      <source>The turntable with this serial number is not plugged in.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch mit dieser Seriennummer ist nicht angeschlossen.</translation>
     </message>
     <message>
-      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <source>A USB turntable is named by vendor and product, for example usb:1209:0001.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein USB-Drehtisch wird mit Hersteller und Produkt benannt, wie usb:1209:0001.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Videokamera lässt sich nicht öffnen: ist sie angeschlossen, und benutzt kein anderes Programm sie?</translation>
     </message>
@@ -6234,17 +6234,17 @@
       <translation>Sie ist nicht offen.</translation>
     </message>
     <message>
-      <source>The video camera gives no pictures any more.</source>
+      <source>The video camera no longer delivers pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Videokamera liefert keine Bilder mehr.</translation>
     </message>
     <message>
-      <source>The video camera has taken no picture.</source>
+      <source>The video camera took no picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Videokamera hat kein Bild aufgenommen.</translation>
     </message>
     <message>
-      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Videokamera liefert Bilder von %1x%2 Pixeln, nicht von der eingestellten Größe.</translation>
     </message>
@@ -6254,47 +6254,47 @@
       <translation>Die Videokamera muss genannt sein.</translation>
     </message>
     <message>
-      <source>the file is cut off or no picture</source>
+      <source>the file is truncated or not a picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Datei ist abgeschnitten oder kein Bild</translation>
     </message>
     <message>
-      <source>the markers show another angle than this stop's</source>
+      <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Marken zeigen einen anderen Winkel als den dieser Position</translation>
     </message>
     <message>
-      <source>the picture has another size than the camera's others</source>
+      <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>das Bild hat eine andere Größe als die übrigen dieser Kamera</translation>
     </message>
     <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>zu wenige Marken sind zu sehen, um die Position zu erkennen: liegt etwas davor, ist es unscharf?</translation>
     </message>
     <message>
-      <source>the camera handed over an earlier photograph once more</source>
+      <source>the camera delivered an earlier photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Kamera hat ein früheres Foto noch einmal geliefert</translation>
     </message>
     <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
+      <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>zu wenige Marken der Platte sind zu sehen: liegt etwas davor?</translation>
     </message>
     <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
+      <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>es ist unscharf: bewegte sich der Tisch noch, hat sich der Fokus geändert?</translation>
     </message>
     <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
+      <source>the sherds are too dark: add light or increase the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Scherben sind zu dunkel: mehr Licht geben oder länger belichten</translation>
     </message>
     <message>
-      <source>the sherds are burnt out: expose shorter</source>
+      <source>the sherds are overexposed: reduce the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Scherben sind überbelichtet: kürzer belichten</translation>
     </message>
@@ -6304,12 +6304,12 @@
       <translation>der Bildrand schneidet eine Scherbe ab: sie oder die Kamera verschieben</translation>
     </message>
     <message>
-      <source>the camera's settings are others than they were: set them back</source>
+      <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Einstellungen der Kamera sind andere als zuvor: zurückstellen</translation>
     </message>
     <message>
-      <source>%1: set it back</source>
+      <source>%1: restore it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: zurückstellen</translation>
     </message>
@@ -6329,7 +6329,7 @@
       <translation>Die uuid eines Durchgangs ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Durchgang %1 gibt es schon.</translation>
     </message>
@@ -6339,17 +6339,17 @@
       <translation>Dieser Durchgang ist nicht im Katalog.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel des Projekts muss aus 2 bis 8 Großbuchstaben oder Ziffern bestehen, wie ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Begriff einer Wortliste muss Buchstaben haben und kein ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Begriff '%1' steht zweimal in der Wortliste.</translation>
     </message>
@@ -6359,27 +6359,27 @@
       <translation>Scherben mit dem Begriff „%1“: %2; zuerst diese ändern.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>eine Zeile von %1 verweist auf nichts</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Tabellen der Scherben passen nicht zusammen</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Suche kennt nicht alle Scherben</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Sicherung enthält nicht, was gespeichert wurde; noch einmal versuchen.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Katalog lässt sich nicht öffnen; prüfen, ob der Ordner da ist und beschrieben werden darf.</translation>
     </message>
@@ -6389,42 +6389,42 @@
       <translation>In den Katalog lässt sich nicht schreiben; die Zugriffsrechte des Ordners prüfen.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Datenträger antwortet nicht richtig; ihn prüfen, dann das Projekt neu öffnen.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Katalog nimmt das nicht an (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan ist keine Vorderseite dieses Durchgangs.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan ist keine Rückseite dieses Durchgangs.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>seine Vorderseite hat keine Rückseite mehr</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Paar hat eine Vorderseite und eine Rückseite.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die zurückzunehmende Entscheidung gehört nicht zu diesem Durchgang.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Entscheidung nennt eine Vorderseite, eine Rückseite oder beide.</translation>
     </message>
@@ -6434,92 +6434,92 @@
       <translation>Die uuid einer Entscheidung ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei liegt nicht im Ordner des Projekts.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Entwurf aus gröberen Fotos; den Durchgang noch einmal berechnen, damit die Maße gelten.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das sind keine vollständigen Ergebnisse von 'ostraka process'; es noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabelle der Paare nennt den Scan %1, den es nicht gibt; 'ostraka process' noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Durchgang ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Foto ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Scan ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Person ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Fundort ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Schnitt ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Befund ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Beutel ist nicht mehr im Katalog.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter öffnet ein Anführungszeichen und schließt es nicht.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist nur ein Teil eines Scherbenetiketts; seinen Code noch einmal lesen.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter kennt kein Feld '%1'; das Wort in Anführungszeichen setzen, um es so zu suchen, wie es dasteht.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur Maße werden mit &lt; und &gt; verglichen; %1:value schreiben.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter ist kein lesbarer Text.</translation>
     </message>
@@ -6529,7 +6529,7 @@
       <translation>Ein Feld '%1' gibt es nicht.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einige der Änderungen bleiben, denn sie ließen sich nicht zurücknehmen: %1</translation>
     </message>
@@ -6539,17 +6539,17 @@
       <translation>Ein Maß dieser Art gibt es nicht.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Maß liegt nie unter 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Projekt wurde mit einem neueren Ostraka angelegt (Katalogversion %1, dieses Programm kennt %2); jenes installieren, nichts wurde verändert.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummerierung kann das Zeichen '%1' nicht enthalten; zwischen den Platzhaltern sind Buchstaben, Ziffern, '.', '_', '/' und '-' erlaubt.</translation>
     </message>
@@ -6559,7 +6559,7 @@
       <translation>Die Nummerierung öffnet einen Platzhalter mit { und schließt ihn nicht mit }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummerierung kennt keinen Platzhalter {%1}; es gibt site, trench, context, bag, batch, yyyy, yy und n.</translation>
     </message>
@@ -6569,7 +6569,7 @@
       <translation>Die Breite von {%1} muss wie :04 geschrieben sein, mit höchstens 12 Stellen.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Platzhalter stoßen aneinander; ein '-' oder ein anderes Zeichen zwischen {%1} und {%2} setzen.</translation>
     </message>
@@ -6604,52 +6604,52 @@
       <translation>Die Nummer braucht den Durchgang der Scherbe, der nicht eingetragen ist.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Fundort %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Schnitt %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Beutel %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchgang %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde schon einmal vergeben; Nummern werden nie wieder verwendet.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Nummernblock bis %1 ist verbraucht; diesem Rechner in den Einstellungen einen neuen geben.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Entscheidung braucht den Namen der Person, die sie trifft.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Verbunden werden zwei oder mehr Stücke.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geteilt wird ein Stück.</translation>
     </message>
@@ -6684,32 +6684,32 @@
       <translation>Die Nummer eines Beutels darf nicht leer sein.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Name einer Person ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel der Person ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel eines Fundorts ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel eines Schnitts ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer eines Befunds ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer eines Beutels ist zu lang; höchstens 200 Zeichen.</translation>
     </message>
@@ -6719,92 +6719,92 @@
       <translation>Die uuid ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Kürzel %1 gehört schon einer anderen Person.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Breite liegt zwischen -90 und 90 Grad.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Länge liegt zwischen -180 und 180 Grad.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Fundort %1 gibt es schon.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Schnitt gehört zu einem Fundort.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Schnitt kann nicht in sich selbst liegen.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Schnitt %1 gibt es in diesem Fundort schon.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Befund gehört zu einem Fundort.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Schnitt gehört zu einem anderen Fundort als der Befund.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Befund %1 gibt es an diesem Ort schon.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Beutel gehört zu einem Befund.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Gewicht eines Beutels ist größer als 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Anzahl liegt nie unter 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Beutel %1 gibt es in diesem Befund schon.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner liegt auf einer Netzfreigabe (%1), wo Kataloge beschädigt werden; einen Ordner auf dem eigenen Datenträger dieses Rechners nehmen und Sicherungen auf die Freigabe kopieren.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner ist kein Ostraka-Projekt: Er enthält kein catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein neues Projekt braucht einen neuen oder leeren Ordner; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner lässt sich nicht anlegen; einen Ort wählen, an den geschrieben werden darf.</translation>
     </message>
@@ -6814,12 +6814,12 @@
       <translation>Eine uuid des Exports ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Entscheidung ist bei dem Durchgang gespeichert, aber %1 ist noch nicht im Katalog; sie wird mit den nächsten Ergebnissen eingetragen.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Feld %1 kommt vom Programm.</translation>
     </message>
@@ -6829,17 +6829,17 @@
       <translation>Eine ungültige Scherbe behält ihre Nummer.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Nummer enthält keinen Zeilenumbruch, keinen Tabulator und kein '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Nummer hat höchstens 120 Zeichen.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 würde zweimal vergeben.</translation>
     </message>
@@ -6849,7 +6849,7 @@
       <translation>Die Dateien von %1 hätten dieselben Namen wie die von %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde schon einmal vergeben und wird nie wieder verwendet.</translation>
     </message>
@@ -6859,42 +6859,42 @@
       <translation>Die Nummer %1 gehört einer anderen Scherbe.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' ist kein Begriff der Wortliste '%2'; einen anderen wählen oder ihn in den Einstellungen hinzufügen.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was auf das Zeichen ± folgt, ist größer als 0, oder 0, wo keine Unsicherheit bekannt ist.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Maß ist größer als 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Scherbe ist größer als 1000 mm; sind das Millimeter?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Scherbe ist schwerer als 20 kg; sind das Gramm?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Anteil beträgt höchstens 100 %.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe %1, an die sie passen könnte, gibt es nicht.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe passt nicht an sich selbst.</translation>
     </message>
@@ -6909,17 +6909,17 @@
       <translation>Eine nummerierte Scherbe braucht ihren Befund.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe bekommt eine Nummer, wenn ihr Befund bekannt ist.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabelle lässt sich nicht nach '%1' ordnen.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe ist nicht mehr im Katalog.</translation>
     </message>
@@ -6929,22 +6929,22 @@
       <translation>Die uuid einer Scherbe ist falsch geschrieben.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe mit dieser uuid gibt es schon.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe ist aus einem Grund ungültig; ihn angeben.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 steht auf zwei Scherben dieser Platte.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 gehört schon einer anderen Scherbe.</translation>
     </message>
@@ -6959,32 +6959,32 @@
       <translation>Der Text ist länger als 1 MB.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Text ist kein gültiges UTF-8 oder enthält ein Nullbyte.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Tag wird wie 2026-07-14 geschrieben (Jahr-Monat-Tag).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Datierung wird in EDTF geschrieben, wie -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Munsell-Farbe wird wie 10YR 3/1 oder N 4/ geschrieben.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' ist keine Zahl; 12.5 oder 12,5 schreiben, ohne Einheit.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' ist kein Pfad innerhalb des Projekts; er muss relativ sein, mit '/' und ohne '..'.</translation>
     </message>
@@ -7139,7 +7139,7 @@
       <translation>Eine Zeichnung braucht ein geschlossenes Modell; es mit 'ostraka process' erzeugen.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Verzeichnis der Dateien fehlt; das ist kein Export von Ostraka.</translation>
     </message>
@@ -7164,12 +7164,12 @@
       <translation>Hierhin lässt sich nicht schreiben; den freien Platz und die Zugriffsrechte prüfen.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Ordner dieses Namens gibt es schon; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Name in einem Export darf kein '%' enthalten.</translation>
     </message>
@@ -7179,12 +7179,12 @@
       <translation>Zwei Dateien des Exports hätten denselben Namen.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inzwischen hat jemand einen Ordner dieses Namens angelegt; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner ist kein Export von Ostraka: bagit.txt fehlt.</translation>
     </message>
@@ -7209,42 +7209,42 @@
       <translation>Diese Datei fehlt; nichts wurde eingelesen.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei wurde nach dem Export verändert; nichts wurde eingelesen.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Befund %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte closed steht yes oder no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte count_written steht eine ganze Zahl.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zeile hat %1 Werte, die Kopfzeile %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Spalte '%1' ist unbekannt; ihre Werte werden als eigenes Feld behalten.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist kein Text: sie enthält binäre Daten, die keine Tabelle hat.</translation>
     </message>
@@ -7259,12 +7259,12 @@
       <translation>Die Tabelle hat mehr als 1 000 000 Zeilen; sie aufteilen.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeile %1 öffnet ein Anführungszeichen, das nie geschlossen wird.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeile %1 hat Buchstaben hinter einem schließenden Anführungszeichen.</translation>
     </message>
@@ -7279,37 +7279,37 @@
       <translation>Die Tabelle ist leer; ihre erste Zeile muss die Spalten nennen.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihren Durchgang berechnen.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Maße ihres Durchgangs sind zweifelhaft: damit auch die Größe dieser Zeichnung.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie soll ein Rand sein, aber kein Abschnitt ihrer Kante kann einer sein; ohne Rand gezeichnet.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist nicht da und wurde ausgelassen.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist nicht das Foto, das eingetragen wurde; nachprüfen.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell oder Bild der Scherbe %1 ist nicht das, das eingetragen wurde; ihren Durchgang %2 noch einmal berechnen.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 geht unverkleinert mit: %2</translation>
     </message>
@@ -7324,7 +7324,7 @@
       <translation>Keine Bilder mit Masken und Posen von %1: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt keine Scherbe zum Ausgeben; zuerst welche auswählen.</translation>
     </message>
@@ -7334,17 +7334,17 @@
       <translation>Die Zeile hat weder eine Nummer noch eine uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das steht in zwei Zeilen der Tabelle.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer gehört einer anderen Scherbe als die uuid.</translation>
     </message>
@@ -7359,62 +7359,62 @@
       <translation>Eine Spalte der Tabelle hat keinen Namen.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Spalte '%1' gibt es zweimal.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Orte und Durchgänge sind nicht so geschrieben, wie Ostraka sie schreibt.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine PLY-Datei.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine GLB-Datei.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Export enthält keine Datensätze (JSON) von Scherben; mit ihnen neu ausgeben.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Projekt hat diese Scherbe mit anderen Werten; sie bleiben, und was abweicht, wird daneben in Feldern behalten, die auf _in_%1 enden.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei ist nicht unter den Dateien des Exports.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Projekt hat eine andere Datei dieses Namens; den Export umbenennen und noch einmal einlesen.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist kein Datensatz einer Scherbe (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Maß %1 hat eine andere Einheit als %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Wert des Datensatzes hat eine andere Art, als er sollte.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist zu groß für eine ZIP-Datei; weniger Scherben auswählen.</translation>
     </message>
@@ -8059,7 +8059,7 @@
       <translation>Weniger als 50 Punkte liegen auf der Bruchkante; die Scherbe mit ihrem Rand noch einmal scannen.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die Tafel ist nicht zu sehen; dieses Bild wird ausgelassen.</translation>
     </message>
@@ -8074,12 +8074,12 @@
       <translation>Ein Gitter aus Marken braucht 'dictionary', 'markers_x', 'markers_y', 'marker_length' und 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier ist nichts, wonach sich kalibrieren ließe: die Platte an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt keine Bilder der Tafel; sie hierher legen oder nach 'calib'.</translation>
     </message>
@@ -8089,7 +8089,7 @@
       <translation>Es wird beiseitegelegt.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Es hat eine andere Größe als das erste; es wird beiseitegelegt.</translation>
     </message>
@@ -8099,12 +8099,12 @@
       <translation>Die Ausgleichung des Messplatzes fand keine Lösung; prüfen, ob plate.json und board.json beschreiben, was aufgenommen wurde.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Darin steht nicht, wie die Blätter gebogen sind; die Datei löschen, dann wird es neu gemessen.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei sagt nicht, worauf die Scherben stehen; sie löschen, dann wird es neu bestimmt.</translation>
     </message>
@@ -8114,17 +8114,17 @@
       <translation>Die Marken des Blattes sind in %1 von %2 Fotos der Seite %3 lesbar; mindestens 3 sind nötig. Prüfen, ob plate.json dieses Blatt beschreibt, ob die Fotos nicht gespiegelt sind und ob die meisten Marken im Bild sind.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 Marken des Blattes sind darin lesbar, zu wenige für eine Lage; es wird weggelassen.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos, die für eine Pose zu wenige Marker des Bogens zeigen, werden ausgelassen (%1 und %2 weitere); prüfen, ob sie diesen Bogen zeigen.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die meisten Marker des Bogens liegen darin anders, als die übrigen Fotos sagen; es wird ausgelassen.</translation>
     </message>
@@ -8134,7 +8134,7 @@
       <translation>Nur eine Seite wurde fotografiert: Ihre %1 Scans sind offene Flächen ohne Rückseite; sie liegen in 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt kein plate.json, also sind die Marken der Platte nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit der Platte geschrieben hat.</translation>
     </message>
@@ -8149,12 +8149,12 @@
       <translation>Ihr Objektiv wird stattdessen aus den Marken der Platte geschätzt.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Objektiv von Kamera %1 ist unbekannt: Es gibt weder brauchbare Bilder der Tafel noch Marken der Platte; Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Objektiv von Kamera %1 wurde allein aus den Marken der Platte geschätzt; für genaue Maße 12 Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
@@ -8169,57 +8169,57 @@
       <translation>Kein Foto von Kamera %1 zeigt zwei Marken der Platte; alle ihre Fotos werden ausgelassen.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der bekannte Messplatz stimmt nicht mehr: Kamera %1 verfehlt die Marken um %2 px; die Orte der Kameras werden für diesen Durchgang neu geschätzt, den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Keine seiner %2 Marken liegt dort, wo diese Kamera sie an dieser Position sieht.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es trägt den Namen eines anderen Fotos oder entstand, während die Platte sich drehte; es wird ausgelassen.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Keine Marke ist darauf zu sehen; zeigt es diese Position? Wenn nicht, noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur von %1 Fotos der Vorderseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur von %1 Fotos der Rückseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 sieht weniger als sechs Marken der Platte an Position %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur %1 Positionen wurden aufgenommen; mindestens vier über die ganze Umdrehung aufnehmen, damit die Achse gefunden wird.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weniger als acht Marken waren zu sehen, also ließ sich kein Abstand zur Kontrolle zurückhalten: Der Maßstab ist nicht geprüft.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwischen den Marken %1 und %2 haben Sie %3 mm gemessen, nach plate.json sind es %4 mm (%5 %); das Lineal der Platte messen und plate.json mit 'ostraka plate --ruler-measured' neu erstellen.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einer anderen Platte?</translation>
     </message>
@@ -8229,22 +8229,22 @@
       <translation>Nicht brauchbar: Der Maßstab stimmt nicht.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gut: Objektive, Orte und Maßstab sind bestimmt.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur für einen Versuch brauchbar: Das Objektiv von Kamera %1 folgt allein aus den Marken der Platte.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Brauchbar, aber eine Brennweite ist auf nicht besser als ein Tausendstel bekannt.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Brauchbar; was unten genannt ist, würde sie verbessern.</translation>
     </message>
@@ -8259,32 +8259,32 @@
       <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Brennweite %2 px (%3 %), die Marken der Platte auf %4 px im Median.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, die Marken der Platte auf %9 px im Median.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: 12 Bilder der Tafel aufnehmen, nah und fern, bis in alle Ecken des Bildes, um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur 1 Bild zeigt die Tafel; mindestens 8 aufnehmen, besser 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur %2 Bilder zeigen die Tafel; mindestens 8 aufnehmen, besser 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Tafel reicht kaum in diese Bereiche des Bildes: %2; Bilder mit der Tafel dort hinzufügen.</translation>
     </message>
@@ -8354,12 +8354,12 @@
       <translation>Rückprojektionsfehler %1 px über die Marken der Platte.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maßstab: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maßstab: Die Marken %1 und %2, von Hand %3 mm zwischen den Mitten ihrer Außenkanten, liegen in den Fotos %4 mm auseinander (%5 %).</translation>
     </message>
@@ -8369,7 +8369,7 @@
       <translation>Beiseitegelegt: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Objektiv ist bekannt, die Orte der Kameras sind es nicht: Es lässt sich kein Messplatz speichern.</translation>
     </message>
@@ -8379,27 +8379,27 @@
       <translation>Nicht brauchbar: Die Brennweite ist nicht bestimmt.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auch die Platte mit ihren Marken aufnehmen: je Kamera und Position ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marke %1 der bekannten Länge ist nicht zweimal zu sehen; zwei Marken der Platte nennen, die auf den Fotos sind.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine bekannte Länge braucht zwei verschiedene Marken und Millimeter über null.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diesen Ordner gibt es nicht; einen mit Fotos der Platte oder der Tafel nennen.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mehr als fünf Verzeichnungsglieder für '%1' werden nicht verstanden; zuerst die Verzeichnung aus ihren Fotos entfernen.</translation>
     </message>
@@ -8419,12 +8419,12 @@
       <translation>Einem Bild fehlt file, width, height, K, R oder t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kameradatei enthält keine Liste 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAPs Kamera %1 hat das Modell '%2' oder Werte, die hier nicht verwendbar sind; stattdessen OPENCV nehmen.</translation>
     </message>
@@ -8434,117 +8434,117 @@
       <translation>COLMAPs Modell hat keine Kamera für das Bild '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist beschädigt oder nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeile %1 ist nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Lage dieses Fotos wird ohne seine Maske bestimmt.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu dieser Platte gehört, ob sie maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihr kalibriert wurde.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gegenüber Kamera %1 hat sich Kamera %2 seit der Kalibrierung des Messplatzes um %3 mm verschoben und um %4 Grad gedreht.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die Tafel ist darauf nicht zu sehen; es wird beiseitegelegt.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Markenverzeichnis '%1' ist unbekannt; eines wie DICT_4X4_100 nehmen.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Seite der Marken muss zwischen 5 und 200 mm liegen.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchmesser der Platte muss zwischen 1 und 2000 mm liegen.</translation>
     </message>
@@ -8569,12 +8569,12 @@
       <translation>Marken von %1 mm lassen auf einer Platte von %2 mm keinen Platz für eine Scherbe; die Platte größer machen.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Rand des Druckers muss zwischen 0 und 40 mm liegen.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Überlappung der Blätter muss zwischen 5 und 40 mm liegen.</translation>
     </message>
@@ -8584,42 +8584,42 @@
       <translation>Das Verzeichnis %1 hat zu wenige Marken für diese Platte.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Maß des Lineals muss eine Länge in mm sein, die auf die Platte passt.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Lineal dieser Platte ist %1 mm lang gezeichnet, %2 mm weicht um mehr als ein Zehntel ab; die Datei mit 100 % drucken, ohne 'An Seite anpassen', und noch einmal messen.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 hat eine Kovarianz anderer Größe; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Messplatz wurde von einer anderen Version geschrieben; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 steht zweimal im Messplatz.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Messplatzdatei (RIG.json); den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Messplatz hat keine Kamera; ihn neu kalibrieren.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei gibt es schon, und sie ist kein Messplatz; eine andere nennen.</translation>
     </message>
@@ -8629,12 +8629,12 @@
       <translation>Das Protokoll lässt sich nicht schreiben.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es lässt sich kein Prozess starten.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Programm ging verloren.</translation>
     </message>
@@ -8644,7 +8644,7 @@
       <translation>Das Programm lässt sich nicht starten; es installieren.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 endete mit einem Fehler; seine Meldungen stehen in dieser Datei.</translation>
     </message>
@@ -8774,12 +8774,12 @@
       <translation>Die Kamera hat kein Foto gemacht.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einer Markenplatte fotografieren.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell ist nicht mehr da; seinen Durchgang noch einmal berechnen.</translation>
     </message>
@@ -8789,7 +8789,7 @@
       <translation>Diese Scherbe ist ungültig.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Scherbe ist ungültig, weil: %1</translation>
     </message>
@@ -8834,7 +8834,7 @@
       <translation>Wandung %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Beutel liegt in einem Befund; zuerst den Befund eintragen.</translation>
     </message>
@@ -8844,7 +8844,7 @@
       <translation>Der Befund %1 hat keinen Beutel %2; den Beutel zugleich ändern oder leeren.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Beutel %1 gibt es im Befund %2 noch nicht; ihn bei der Aufnahme eintippen oder eine Tabelle der Befunde mit ihm importieren.</translation>
     </message>
@@ -8854,12 +8854,12 @@
       <translation>Was für die Lippe gehalten wurde, kann ein Bruch sein (%1 %, dass es die Lippe ist) und der Durchmesser falsch; bitte prüfen, wie die Scherbe steht.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Durchgang wird gerade fotografiert; er wird berechnet, wenn das fertig ist.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Scherben, die im Export fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
     </message>
@@ -8869,7 +8869,7 @@
       <translation>„%1“ lässt sich als %2 oder als %3 lesen; eines von beiden schreiben.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
     </message>
@@ -8884,12 +8884,12 @@
       <translation>%1 wurde neu aufgenommen, nachdem die Maske verbessert war; die Striche auf der früheren Aufnahme sind weggelassen. Sehen Sie die Maske an.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde für eine Scherbe von %2 getippt; diese ist noch nicht berechnet.</translation>
     </message>
@@ -8899,7 +8899,7 @@
       <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder es entfernen.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nach dem Zeichen = steht eine Nummer.</translation>
     </message>
@@ -8994,12 +8994,12 @@
       <translation>Es gibt schon eine Datei dieses Namens; sie wird nicht überschrieben.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Export nennt einen Ort im Projekt, an den keine solche Datei gehört; nichts wurde eingetragen.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Archiv enthält ein Journal seines Katalogs, was kein Archiv von Ostraka tut; nichts wurde geschrieben.</translation>
     </message>
@@ -9049,7 +9049,7 @@
         <translation>eine Seite wurde verändert</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>seine Seiten passen nicht zusammen</translation>
     </message>
@@ -9069,37 +9069,37 @@
         <translation>die Datei gehört zu einem anderen Programm</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>die Datei enthält keinen Katalog</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>der Kopf der Datei widerspricht sich</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>er enthält kein Projekt</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Katalog kann nicht gelesen werden; prüfen Sie, ob er vorhanden ist, und seine Zugriffsrechte.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Dieses Projekt kann nur gelesen werden, und für eine Kopie zum Lesen fehlt der Platz; schaffen Sie Platz im Ordner für temporäre Dateien.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Dieses Projekt stammt von einem älteren Ostraka und kann hier nur gelesen werden; kopieren Sie es in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie es dort.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Katalog ist beschädigt und keine seiner Sicherungen ist vollständig; kopieren Sie eine aus einem Archiv oder von einem anderen Datenträger in den Ordner backups und reparieren Sie ihn dann noch einmal.</translation>
     </message>
@@ -9109,17 +9109,17 @@
         <translation>Ein anderes Programm hat dieses Projekt geöffnet; schließen Sie es dort und reparieren Sie es dann.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder Spalten für Fundort und Befund (Befunde); geben Sie an, welche das sind.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Von %1 Zeilen sind %2 eingetragen; derselbe Import trägt die übrigen ein.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Spalte &apos;%1&apos; sagt dasselbe wie &apos;%2&apos;; ihre Werte bleiben als eigenes Feld.</translation>
     </message>

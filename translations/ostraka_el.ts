@@ -1622,7 +1622,7 @@
       <translation>Μπροστά %1, πίσω %2</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η κάμερα δεν δείχνει ζωντανή εικόνα.</translation>
     </message>
@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
@@ -5086,47 +5086,47 @@
       <translation>(%1, %2) mm</translation>
     </message>
     <message>
-      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα όστρακα δεν μετρήθηκαν: φαίνονται πολύ λίγοι δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>No sherd is seen on the plate.</source>
+      <source>No sherd is visible on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν φαίνεται κανένα όστρακο στον δίσκο.</translation>
     </message>
     <message>
-      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακα αγγίζονται ή σχεδόν αγγίζονται στο %1 από το μέσο του δίσκου: απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
     </message>
     <message>
-      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι βρίσκεται στο %1 από το μέσο του δίσκου μετρήθηκε ως ένα, ίσως όμως είναι δύο όστρακα που αγγίζονται: κοιτάξτε εκεί· αν είναι έτσι, απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
     </message>
     <message>
-      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πίσω όψη μοιάζει με την μπροστινή: γυρίστε τα όστρακα και φωτογραφίστε τα ξανά.</translation>
     </message>
     <message>
-      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα όστρακα της πίσω όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
     </message>
     <message>
-      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα όστρακα της μπροστινής όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: αναζητήστε αυτό που λείπει πριν αδειάσετε τον δίσκο.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: προστέθηκε κάποιο ή έσπασε κάποιο;</translation>
     </message>
@@ -5149,7 +5149,7 @@
       <translation>Η κάμερα δεν είναι συνδεδεμένη ή δεν είναι ανοιχτή.</translation>
     </message>
     <message>
-      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα δεν απαντά· κοιμάται; Απενεργοποιήστε την αυτόματη διακοπή της.</translation>
     </message>
@@ -5159,72 +5159,72 @@
       <translation>Η κάμερα παραμένει απασχολημένη· κλείστε την και ανοίξτε την.</translation>
     </message>
     <message>
-      <source>The line to the camera is broken; look at its cable.</source>
+      <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σύνδεση με την κάμερα διακόπηκε· ελέγξτε το καλώδιό της.</translation>
     </message>
     <message>
-      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα άλλο πρόγραμμα κρατά την κάμερα, συχνά η διαχείριση αρχείων· το 'ostraka devices' το ονομάζει.</translation>
     </message>
     <message>
-      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα δεν ανοίγει· επιτρέπεται σε αυτόν τον χρήστη; Δείτε 'ostraka devices'.</translation>
     </message>
     <message>
-      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν ήρθε φωτογραφία από την κάμερα· είναι εστιασμένη και σε χειροκίνητη λειτουργία;</translation>
     </message>
     <message>
-      <source>The camera does not stop to deliver photographs.</source>
+      <source>The camera does not stop sending photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα δεν σταματά να παραδίδει φωτογραφίες.</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η κάμερα δεν δείχνει ζωντανή εικόνα.</translation>
     </message>
     <message>
-      <source>The turntable does not reach its angle; is it blocked?</source>
+      <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν φτάνει στη γωνία του· είναι μπλοκαρισμένο;</translation>
     </message>
     <message>
-      <source>The turntable was paused at its own button.</source>
+      <source>The turntable was paused with its own button.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι σταμάτησε από το δικό του κουμπί.</translation>
     </message>
     <message>
-      <source>The table's position is not known: home it, or align it.</source>
+      <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση του τραπεζιού δεν είναι γνωστή: μηδενίστε ή ευθυγραμμίστε το.</translation>
     </message>
     <message>
-      <source>The turntable does not answer in the network.</source>
+      <source>The turntable does not answer on the network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν απαντά στο δίκτυο.</translation>
     </message>
     <message>
-      <source>The controller restarted; the table's position is not known.</source>
+      <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο ελεγκτής επανεκκίνησε· η θέση του τραπεζιού δεν είναι γνωστή.</translation>
     </message>
     <message>
-      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χάθηκε μια απάντηση του τραπεζιού και δεν μπορεί να πει πού βρίσκεται: μηδενίστε ή ευθυγραμμίστε το.</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι δεν απαντά σαν ελεγκτής GRBL: είναι ανοιχτό και αυτού του τύπου;</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι δεν απαντά σαν ComXim: είναι ανοιχτό και αυτού του τύπου;</translation>
     </message>
@@ -5234,7 +5234,7 @@
       <translation>Το USB δεν λειτουργεί σε αυτόν τον υπολογιστή.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and shoot on.</source>
+      <source>The disk is full; free some space, then continue shooting.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και συνεχίστε τη λήψη.</translation>
     </message>
@@ -5244,12 +5244,12 @@
       <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και ξεκινήστε ξανά το ίδιο.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δίσκος είναι γεμάτος· κάντε χώρο και δοκιμάστε ξανά. Τίποτα δεν χάθηκε.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα άλλο πρόγραμμα κρατά απασχολημένο τον κατάλογο· κλείστε το και δοκιμάστε ξανά.</translation>
     </message>
@@ -5259,12 +5259,12 @@
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» δεν είναι είδος πλαισίου· μπορεί να είναι layer, cut, fill, structure, surface ή unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Θέσεις και τομές που δεν υπήρχαν: %1· ελέγξτε ότι καμία δεν είναι λάθος γραφής.</translation>
     </message>
@@ -5304,7 +5304,7 @@
       <translation>Κάμερα %1: η ισορροπία λευκού της δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
     </message>
@@ -5319,7 +5319,7 @@
       <translation>Δεν δόθηκε φάκελος παρτίδας.</translation>
     </message>
     <message>
-      <source>The angle is no number.</source>
+      <source>The angle is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γωνία δεν είναι αριθμός.</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>Το δίκτυο χρειάζεται έγχρωμη φωτογραφία των 8 bit.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν δόθηκε κλίμακα για το σχέδιο.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια προεπισκόπηση αναιρείται.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα αρχείο δεν πρέπει να βρίσκεται μέσα στο ίδιο το έργο.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα έργο επαναφέρεται σε νέο ή κενό φάκελο· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· διαβάστε το ως εξαγωγή.</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>Η πλευρά ενός δείκτη πρέπει να είναι μεταξύ 0,5 και 1000 mm· μετρήστε ένα μαύρο τετράγωνο στο χαρτί.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε αυτές τις %2 φωτογραφίες δεν διαβάζεται φύλλο με τουλάχιστον %1 δείκτες των λεξικών της OpenCV· τραβήξτε φωτογραφίες που δείχνουν περισσότερο από αυτό ή δώστε το plate.json του.</translation>
     </message>
@@ -5734,32 +5734,32 @@
       <translation>Ο πίνακας βαθμονόμησης χρειάζεται 'dictionary', 'squares_x', 'squares_y', 'square_mm' και 'marker_mm'.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν γίνεται εγγραφή εδώ (%1)· επιλέξτε άλλον φάκελο για την παρτίδα ή ελέγξτε τα δικαιώματά του.</translation>
     </message>
     <message>
-      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα και δεν αντικαθίσταται· δώστε άλλη παρτίδα.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
+      <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα άρχισε σε άλλον δίσκο: συνεχίστε με εκείνον ή αρχίστε άλλη παρτίδα.</translation>
     </message>
     <message>
-      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα άρχισε με %1 κάμερες και %2 στάσεις, όχι με %3 και %4· δώστε άλλον φάκελο.</translation>
     </message>
     <message>
-      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η φωτογραφία άλλαξε μετά τη λήψη της· βάλτε πίσω την αρχική ή δώστε άλλον φάκελο για την παρτίδα.</translation>
     </message>
     <message>
-      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η φωτογραφία δεν τραβήχτηκε εδώ· δώστε άλλον φάκελο για την παρτίδα.</translation>
     </message>
@@ -5769,12 +5769,12 @@
       <translation>Η κάμερα %1 δίνει μόνο αρχεία raw· ρυθμίστε τη μορφή εικόνας της σε JPEG ή και στα δύο.</translation>
     </message>
     <message>
-      <source>%1 is %2, the rig says %3</source>
+      <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το %1 είναι %2, η διάταξη λέει %3</translation>
     </message>
     <message>
-      <source>%1 is %2, at the first photograph it was %3</source>
+      <source>%1 is %2, but the first photograph used %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το %1 είναι %2, στην πρώτη φωτογραφία ήταν %3</translation>
     </message>
@@ -5789,72 +5789,72 @@
       <translation>Το περιστρεφόμενο τραπέζι δεν απάντησε.</translation>
     </message>
     <message>
-      <source>The turntable does not tell where it stands.</source>
+      <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν λέει πού βρίσκεται.</translation>
     </message>
     <message>
-      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι απέρριψε μια εντολή (σφάλμα %1): λάθος τύπος τραπεζιού ή κακό καλώδιο.</translation>
     </message>
     <message>
-      <source>The table's speed must be more than 0.</source>
+      <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η ταχύτητα του τραπεζιού πρέπει να είναι μεγαλύτερη από 0.</translation>
     </message>
     <message>
-      <source>The line to the turntable is broken (%1).</source>
+      <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σύνδεση με το περιστρεφόμενο τραπέζι διακόπηκε (%1).</translation>
     </message>
     <message>
-      <source>is not open</source>
+      <source>it is not open</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>δεν είναι ανοιχτή</translation>
     </message>
     <message>
-      <source>takes no more bytes</source>
+      <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>δεν δέχεται άλλα byte</translation>
     </message>
     <message>
-      <source>was closed at the other end</source>
+      <source>it was closed at the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>έκλεισε από την άλλη άκρη</translation>
     </message>
     <message>
-      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν επιτρέπεται η χρήση αυτής της σειριακής θύρας· εγκαταστήστε τους κανόνες udev του Ostraka ή μπείτε στην ομάδα dialout και συνδεθείτε ξανά.</translation>
     </message>
     <message>
-      <source>The serial port is used by another program; close it.</source>
+      <source>Another program uses the serial port; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σειριακή θύρα χρησιμοποιείται από άλλο πρόγραμμα· κλείστε το.</translation>
     </message>
     <message>
-      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σειριακή θύρα δεν υπάρχει· είναι το περιστρεφόμενο τραπέζι συνδεδεμένο και ανοιχτό;</translation>
     </message>
     <message>
-      <source>This is no serial port.</source>
+      <source>Not a serial port.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι σειριακή θύρα.</translation>
     </message>
     <message>
-      <source>The serial port does not take its settings.</source>
+      <source>The serial port does not accept its settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σειριακή θύρα δεν δέχεται τις ρυθμίσεις της.</translation>
     </message>
     <message>
-      <source>The turntable's address is not known in this network.</source>
+      <source>The turntable&apos;s address is unknown on this network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διεύθυνση του περιστρεφόμενου τραπεζιού δεν είναι γνωστή σε αυτό το δίκτυο.</translation>
     </message>
     <message>
-      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια σειριακή θύρα δεν λειτουργεί στα %1 baud· συνηθισμένα είναι τα 9600 και 115200.</translation>
     </message>
@@ -5864,22 +5864,22 @@
       <translation>Μια διεύθυνση δικτύου γράφεται όπως 192.168.0.7:23.</translation>
     </message>
     <message>
-      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η επιφάνεια εργασίας δεν αφήνει την κάμερα: την κρατά ακόμη το %1· κλείστε το παράθυρο των αρχείων της και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <source>A watched folder has no setting %1; set it on the camera.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας παρακολουθούμενος φάκελος δεν έχει τη ρύθμιση %1· ρυθμίστε τη στην κάμερα.</translation>
     </message>
     <message>
-      <source>A watched folder shows no live picture.</source>
+      <source>A watched folder has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας παρακολουθούμενος φάκελος δεν δείχνει ζωντανή εικόνα.</translation>
     </message>
     <message>
-      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν ήρθε νέα φωτογραφία σε %1 δευτερόλεπτα· γράφει το πρόγραμμα της κάμερας σε αυτόν τον φάκελο;</translation>
     </message>
@@ -5889,22 +5889,22 @@
       <translation>Ο παρακολουθούμενος φάκελος δεν διαβάζεται (%1).</translation>
     </message>
     <message>
-      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ήρθαν δύο φωτογραφίες για μία λήψη, %1 και %2· μία κάμερα ανά φάκελο, μία φωτογραφία ανά στάση.</translation>
     </message>
     <message>
-      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <source>The camera with this serial number is not plugged in; found: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα με αυτόν τον σειριακό αριθμό δεν είναι συνδεδεμένη· υπάρχει: %1.</translation>
     </message>
     <message>
-      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <source>The camera does not offer %1 for %2; it is set to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα δεν προσφέρει %1 για το %2· βρίσκεται στο %3.</translation>
     </message>
     <message>
-      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα κρατά το %1 στο %2 αντί για %3· κοιτάξτε τον επιλογέα λειτουργίας της.</translation>
     </message>
@@ -5919,7 +5919,7 @@
       <translation>Η κάμερα αναφέρει: %1.</translation>
     </message>
     <message>
-      <source>The table has no zero switch.</source>
+      <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι δεν έχει διακόπτη μηδενισμού.</translation>
     </message>
@@ -5934,7 +5934,7 @@
       <translation>Δεν ξεκλείδωσε.</translation>
     </message>
     <message>
-      <source>It did not answer when the shutters were to be fired.</source>
+      <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν απάντησε όταν έπρεπε να γίνει η λήψη.</translation>
     </message>
@@ -5944,17 +5944,17 @@
       <translation>Το περιστρεφόμενο τραπέζι δεν απαντά.</translation>
     </message>
     <message>
-      <source>The turntable does not come to rest.</source>
+      <source>The turntable does not stop moving.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν ηρεμεί.</translation>
     </message>
     <message>
-      <source>The turntable does not take its zero.</source>
+      <source>The turntable does not accept its zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν δέχεται το μηδέν του.</translation>
     </message>
     <message>
-      <source>The controller counts from anew; the table's position is not known.</source>
+      <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο ελεγκτής μετρά από την αρχή· η θέση του τραπεζιού δεν είναι γνωστή.</translation>
     </message>
@@ -5974,72 +5974,72 @@
       <translation>Η έξοδος του κλείστρου πρέπει να είναι M8, M7, M3 ή M62 Pn.</translation>
     </message>
     <message>
-      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι σταμάτησε εν κινήσει και η θέση του χάθηκε: ευθυγραμμίστε το σημάδι του μηδενός (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο ελεγκτής του τραπεζιού λέει ότι η στροφή ξεπερνά τη διαδρομή του: απενεργοποιήστε το $20 (ALARM:%1).</translation>
     </message>
     <message>
-      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο μηδενισμός απέτυχε: ελέγξτε τον διακόπτη μηδενισμού και το καλώδιό του (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο ελεγκτής του τραπεζιού έδωσε συναγερμό (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο ελεγκτής δεν καταλαβαίνει την εντολή: λάθος τύπος ελεγκτή ή κακό καλώδιο (error:%1).</translation>
     </message>
     <message>
-      <source>The table has no zero switch (error:%1).</source>
+      <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι δεν έχει διακόπτη μηδενισμού (error:%1).</translation>
     </message>
     <message>
-      <source>The table is still moving (error:%1).</source>
+      <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι κινείται ακόμη (error:%1).</translation>
     </message>
     <message>
-      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τραπέζι είναι κλειδωμένο: μηδενίστε ή ξεκλειδώστε το (error:%1).</translation>
     </message>
     <message>
-      <source>The table's controller refused a command (error:%1).</source>
+      <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο ελεγκτής του τραπεζιού απέρριψε μια εντολή (error:%1).</translation>
     </message>
     <message>
-      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στρέψτε το τραπέζι αριστερόστροφα στις %1 μοίρες και τραβήξτε το χέρι σας.</translation>
     </message>
     <message>
-      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι κατάλογος φωτογραφιών του Ostraka· δώστε άλλον φάκελο για την παρτίδα.</translation>
     </message>
     <message>
-      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πρόγραμμα οδήγησης %1 του περιστρεφόμενου τραπεζιού δεν είναι γνωστό· υπάρχουν: grbl, comxim1, comxim2, text, hand.</translation>
     </message>
     <message>
-      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <source>The camera driver %1 is unknown; available: folder, gphoto2, uvc.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πρόγραμμα οδήγησης κάμερας %1 δεν είναι γνωστό· υπάρχουν: folder, gphoto2, uvc.</translation>
     </message>
     <message>
-      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάταξη δεν ονομάζει συσκευές· το 'ostraka devices' λέει τι είναι συνδεδεμένο και πώς γράφεται εκεί.</translation>
     </message>
@@ -6054,12 +6054,12 @@
       <translation>Τα settle_s και speed_deg_s πρέπει να είναι θετικά.</translation>
     </message>
     <message>
-      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το μέρος 'devices' δεν διαβάζεται· συγκρίνετέ το με το κεφάλαιο του README για τις συσκευές.</translation>
     </message>
     <message>
-      <source>The number of stops must lie between 3 and 99.</source>
+      <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός των στάσεων πρέπει να είναι μεταξύ 3 και 99.</translation>
     </message>
@@ -6069,32 +6069,32 @@
       <translation>Η διάταξη δεν έχει κάμερα ή δεν έχει περιστρεφόμενο τραπέζι.</translation>
     </message>
     <message>
-      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει λήψη %1 για επανάληψη: αυτή η όψη έχει τις στάσεις 1 έως %2 και τις κάμερες A έως %3.</translation>
     </message>
     <message>
-      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 αυτής της παρτίδας ήταν η %2, αυτή εδώ είναι η %3· συνεχίστε με τις κάμερες που την άρχισαν ή δώστε άλλον φάκελο.</translation>
     </message>
     <message>
-      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση του τραπεζιού δεν είναι γνωστή: στρέψτε το σημάδι του μηδενός μπροστά και ορίστε το μηδέν.</translation>
     </message>
     <message>
-      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1, στάση %2: απέτυχε %3 φορές: %4.</translation>
     </message>
     <message>
-      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 παραδίδει μόνο παλιότερες ή κατεστραμμένες φωτογραφίες· κλείστε την και ανοίξτε την.</translation>
     </message>
     <message>
-      <source>The turntable does not answer as a %1; is it another one?</source>
+      <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν απαντά ως %1· μήπως είναι άλλο;</translation>
     </message>
@@ -6109,52 +6109,52 @@
       <translation>ελεγκτής κειμένου</translation>
     </message>
     <message>
-      <source>This table has no zero switch: align it by eye.</source>
+      <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το τραπέζι δεν έχει διακόπτη μηδενισμού: ευθυγραμμίστε το με το μάτι.</translation>
     </message>
     <message>
-      <source>The turntable refuses: %1.</source>
+      <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι αρνείται: %1.</translation>
     </message>
     <message>
-      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <source>The turntable is at %1 degrees instead of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι βρίσκεται στις %1 μοίρες αντί για %2.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'move' πρέπει να περιέχει {target} ή {by}.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'accepted' πρέπει να λέει πώς απαντά.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: τα 'query' και 'position' πάνε μαζί.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'reply_s' πρέπει να είναι μεγαλύτερο από 0.</translation>
     </message>
     <message>
-      <source>The turntable's words: '%1' is no regular expression.</source>
+      <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το '%1' δεν είναι κανονική έκφραση.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'position' χρειάζεται μια ομάδα για τη γωνία.</translation>
     </message>
     <message>
-      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το 'dialect' του περιστρεφόμενου τραπεζιού πρέπει να είναι "marlin" ή οι λέξεις του.</translation>
     </message>
@@ -6169,17 +6169,17 @@
       <translation>Το περιστρεφόμενο τραπέζι αποσυνδέθηκε.</translation>
     </message>
     <message>
-      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σύνδεση USB του περιστρεφόμενου τραπεζιού απέτυχε (%1)· συνδέστε το ξανά.</translation>
     </message>
     <message>
-      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <source>You have no permission to use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν επιτρέπεται η χρήση αυτής της συσκευής USB· εγκαταστήστε το packaging/udev/70-ostraka.rules και συνδέστε την ξανά.</translation>
     </message>
     <message>
-      <source>The turntable is used by another program; close it.</source>
+      <source>Another program uses the turntable; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι χρησιμοποιείται από άλλο πρόγραμμα· κλείστε το.</translation>
     </message>
@@ -6189,22 +6189,22 @@
       <translation>Το περιστρεφόμενο τραπέζι δεν ανοίγει (%1).</translation>
     </message>
     <message>
-      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <source>This USB device is not a serial controller (CDC-ACM).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η συσκευή USB δεν είναι σειριακός ελεγκτής (CDC-ACM).</translation>
     </message>
     <message>
-      <source>The turntable of this serial number is not plugged in.</source>
+      <source>The turntable with this serial number is not plugged in.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι με αυτόν τον σειριακό αριθμό δεν είναι συνδεδεμένο.</translation>
     </message>
     <message>
-      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <source>A USB turntable is named by vendor and product, for example usb:1209:0001.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα περιστρεφόμενο τραπέζι USB ονομάζεται με κατασκευαστή και προϊόν, όπως usb:1209:0001.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η βιντεοκάμερα δεν ανοίγει: είναι συνδεδεμένη, και δεν τη χρησιμοποιεί άλλο πρόγραμμα;</translation>
     </message>
@@ -6229,17 +6229,17 @@
       <translation>Δεν είναι ανοιχτή.</translation>
     </message>
     <message>
-      <source>The video camera gives no pictures any more.</source>
+      <source>The video camera no longer delivers pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η βιντεοκάμερα δεν δίνει πια εικόνες.</translation>
     </message>
     <message>
-      <source>The video camera has taken no picture.</source>
+      <source>The video camera took no picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η βιντεοκάμερα δεν τράβηξε εικόνα.</translation>
     </message>
     <message>
-      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η βιντεοκάμερα δίνει εικόνες %1x%2 εικονοστοιχείων, όχι του μεγέθους που ορίστηκε.</translation>
     </message>
@@ -6249,47 +6249,47 @@
       <translation>Η βιντεοκάμερα πρέπει να ονομαστεί.</translation>
     </message>
     <message>
-      <source>the file is cut off or no picture</source>
+      <source>the file is truncated or not a picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το αρχείο είναι κομμένο ή δεν είναι εικόνα</translation>
     </message>
     <message>
-      <source>the markers show another angle than this stop's</source>
+      <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>οι δείκτες δείχνουν άλλη γωνία από αυτήν της στάσης</translation>
     </message>
     <message>
-      <source>the picture has another size than the camera's others</source>
+      <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η εικόνα έχει άλλο μέγεθος από τις άλλες της κάμερας</translation>
     </message>
     <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>φαίνονται πολύ λίγοι δείκτες για να βρεθεί η στάση: υπάρχει κάτι μπροστά τους, είναι θολή;</translation>
     </message>
     <message>
-      <source>the camera handed over an earlier photograph once more</source>
+      <source>the camera delivered an earlier photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η κάμερα παρέδωσε ξανά μια παλιότερη φωτογραφία</translation>
     </message>
     <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
+      <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>φαίνονται πολύ λίγοι δείκτες του δίσκου: υπάρχει κάτι μπροστά τους;</translation>
     </message>
     <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
+      <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>είναι θολή: κουνιόταν ακόμη το τραπέζι, άλλαξε η εστίαση;</translation>
     </message>
     <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
+      <source>the sherds are too dark: add light or increase the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>τα όστρακα είναι πολύ σκοτεινά: δώστε περισσότερο φως ή μεγαλύτερη έκθεση</translation>
     </message>
     <message>
-      <source>the sherds are burnt out: expose shorter</source>
+      <source>the sherds are overexposed: reduce the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>τα όστρακα είναι υπερεκτεθειμένα: μικρότερη έκθεση</translation>
     </message>
@@ -6299,12 +6299,12 @@
       <translation>το άκρο της εικόνας κόβει ένα όστρακο: μετακινήστε το ή την κάμερα</translation>
     </message>
     <message>
-      <source>the camera's settings are others than they were: set them back</source>
+      <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>οι ρυθμίσεις της κάμερας άλλαξαν: επαναφέρετέ τες</translation>
     </message>
     <message>
-      <source>%1: set it back</source>
+      <source>%1: restore it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: επαναφέρετέ το</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>Το uuid μιας παρτίδας δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη παρτίδα %1.</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Αυτή η παρτίδα δεν είναι στον κατάλογο.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός του έργου πρέπει να έχει 2 έως 8 κεφαλαία ή ψηφία, όπως ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας όρος λεξιλογίου πρέπει να έχει γράμματα και όχι ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο όρος '%1' υπάρχει δύο φορές στο λεξιλόγιο.</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>Όστρακα με τον όρο «%1»: %2· αλλάξτε πρώτα αυτά.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μια γραμμή του %1 δεν δείχνει πουθενά</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>οι πίνακες των οστράκων δεν συμφωνούν μεταξύ τους</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η αναζήτηση δεν γνωρίζει όλα τα όστρακα</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αντίγραφο ασφαλείας δεν περιέχει όσα αποθηκεύτηκαν· δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος δεν ανοίγει· ελέγξτε ότι ο φάκελος υπάρχει και επιτρέπει εγγραφή.</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>Δεν γίνεται εγγραφή στον κατάλογο· ελέγξτε τα δικαιώματα του φακέλου.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο σκληρός δίσκος δεν απαντά σωστά· ελέγξτε τον και ανοίξτε ξανά το έργο.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος δεν το δέχεται (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση δεν είναι μπροστινή όψη αυτής της παρτίδας.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση δεν είναι πίσω όψη αυτής της παρτίδας.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η μπροστινή του όψη δεν έχει πια πίσω όψη</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ζεύγος έχει μπροστινή και πίσω όψη.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση που θα ανακληθεί δεν είναι σε αυτή την παρτίδα.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια απόφαση ονομάζει μπροστινή όψη, πίσω όψη ή και τις δύο.</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>Το uuid μιας απόφασης δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν βρίσκεται στον φάκελο του έργου.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι προσχέδιο από πιο χονδρικές φωτογραφίες· υπολογίστε ξανά την παρτίδα για οριστικές μετρήσεις.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι πλήρη αποτελέσματα του 'ostraka process'· εκτελέστε το ξανά.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας των ζευγών ονομάζει τη σάρωση %1, που δεν υπάρχει· εκτελέστε ξανά το 'ostraka process'.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η παρτίδα δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η φωτογραφία δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η σάρωση δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το άτομο δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η θέση δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η τομή δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το πλαίσιο δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η σακούλα δεν είναι πια στον κατάλογο.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο ανοίγει εισαγωγικά και δεν τα κλείνει.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι μόνο μέρος της ετικέτας ενός οστράκου· διαβάστε ξανά τον κωδικό της.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο δεν γνωρίζει πεδίο '%1'· βάλτε τη λέξη σε εισαγωγικά για να αναζητηθεί όπως είναι.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο μετρήσεις συγκρίνονται με &lt; και &gt;· γράψτε %1:value.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο δεν είναι αναγνώσιμο κείμενο.</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>Δεν υπάρχει πεδίο '%1'.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μερικές από τις αλλαγές μένουν, γιατί δεν αναιρέθηκαν: %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>Δεν υπάρχει μέτρηση αυτού του είδους.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια μέτρηση δεν είναι ποτέ κάτω από 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το έργο έγινε με νεότερο Ostraka (κατάλογος έκδοση %1, αυτό το πρόγραμμα γνωρίζει %2)· εγκαταστήστε εκείνο, δεν άλλαξε τίποτα.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η αρίθμηση δεν μπορεί να περιέχει τον χαρακτήρα '%1'· ανάμεσα στα σύμβολα επιτρέπονται γράμματα, ψηφία, '.', '_', '/' και '-'.</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>Η αρίθμηση ανοίγει ένα σύμβολο με { και δεν το κλείνει με }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η αρίθμηση δεν έχει σύμβολο {%1}· υπάρχουν site, trench, context, bag, batch, yyyy, yy και n.</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>Το πλάτος του {%1} πρέπει να γράφεται όπως :04, με 12 ψηφία το πολύ.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δύο σύμβολα αγγίζονται· βάλτε ένα '-' ή άλλο σημείο ανάμεσα στο {%1} και το {%2}.</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>Ο αριθμός χρειάζεται την παρτίδα του οστράκου, που δεν έχει καταχωριστεί.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η τομή %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα του στον αριθμό.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σακούλα %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 έχει δοθεί παλιότερα· οι αριθμοί δεν ξαναχρησιμοποιούνται.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σειρά αριθμών ως το %1 εξαντλήθηκε· δώστε σε αυτόν τον υπολογιστή νέα σειρά στις ρυθμίσεις.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια απόφαση χρειάζεται το όνομα του ατόμου που την παίρνει.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ενώνονται δύο ή περισσότερα κομμάτια.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κόβεται ένα κομμάτι.</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>Ο αριθμός μιας σακούλας δεν πρέπει να είναι κενός.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όνομα ενός ατόμου είναι πολύ μεγάλο· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα αρχικά του ατόμου είναι πολύ μεγάλα· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός μιας θέσης είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κωδικός μιας τομής είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός ενός πλαισίου είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός μιας σακούλας είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>Το uuid δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα αρχικά %1 ανήκουν ήδη σε άλλο άτομο.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το γεωγραφικό πλάτος είναι μεταξύ -90 και 90 μοιρών.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το γεωγραφικό μήκος είναι μεταξύ -180 και 180 μοιρών.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη θέση %1.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια τομή ανήκει σε μια θέση.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια τομή δεν μπορεί να βρίσκεται μέσα στον εαυτό της.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη τομή %1 σε αυτή τη θέση.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα πλαίσιο ανήκει σε μια θέση.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η τομή ανήκει σε άλλη θέση από το πλαίσιο.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη πλαίσιο %1 σε αυτό το σημείο.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια σακούλα ανήκει σε ένα πλαίσιο.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το βάρος μιας σακούλας είναι πάνω από 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα πλήθος δεν είναι ποτέ κάτω από 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη σακούλα %1 σε αυτό το πλαίσιο.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος βρίσκεται σε κοινόχρηστο δίκτυο (%1), όπου οι κατάλογοι καταστρέφονται· χρησιμοποιήστε φάκελο στον δίσκο αυτού του υπολογιστή και αντιγράψτε τα αντίγραφα ασφαλείας στο δίκτυο.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δεν είναι έργο Ostraka: δεν περιέχει catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα νέο έργο χρειάζεται νέο ή άδειο φάκελο· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος δεν μπορεί να δημιουργηθεί· επιλέξτε θέση όπου επιτρέπεται η εγγραφή.</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Ένα uuid της εξαγωγής δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση αποθηκεύτηκε με την παρτίδα, αλλά το %1 δεν είναι ακόμη στον κατάλογο· θα καταχωριστεί με τα επόμενα αποτελέσματα.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πεδίο %1 προέρχεται από το πρόγραμμα.</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Ένα άκυρο όστρακο κρατά τον αριθμό του.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας αριθμός δεν περιέχει αλλαγή γραμμής, στηλοθέτη ή '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας αριθμός έχει το πολύ 120 χαρακτήρες.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 θα δινόταν δύο φορές.</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>Τα αρχεία του %1 θα είχαν τα ίδια ονόματα με εκείνα του %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 έχει δοθεί παλιότερα και δεν ξαναχρησιμοποιείται.</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>Ο αριθμός %1 ανήκει σε άλλο όστρακο.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το '%1' δεν είναι όρος του λεξιλογίου '%2'· επιλέξτε άλλον ή προσθέστε τον στις ρυθμίσεις.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι ακολουθεί το σύμβολο ± είναι μεγαλύτερο από το 0, ή 0 όπου δεν είναι γνωστή αβεβαιότητα.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια μέτρηση είναι πάνω από 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα όστρακο δεν είναι μεγαλύτερο από 1000 mm· είναι σε χιλιοστά;</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα όστρακο δεν είναι βαρύτερο από 20 kg· είναι σε γραμμάρια;</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ποσοστό είναι το πολύ 100 %.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει όστρακο %1 με το οποίο θα μπορούσε να συνανήκει.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο δεν συνανήκει με τον εαυτό του.</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Ένα αριθμημένο όστρακο χρειάζεται το πλαίσιό του.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο παίρνει αριθμό όταν το πλαίσιό του είναι γνωστό.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας δεν ταξινομείται κατά '%1'.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο δεν είναι πια στον κατάλογο.</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>Το uuid ενός οστράκου δεν είναι σωστά γραμμένο.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη όστρακο με αυτό το uuid.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο είναι άκυρο για κάποιον λόγο· πείτε ποιον.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 υπάρχει σε δύο όστρακα αυτού του δίσκου.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 ανήκει ήδη σε άλλο όστρακο.</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>Το κείμενο είναι μεγαλύτερο από 1 MB.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το κείμενο δεν είναι έγκυρο UTF-8 ή περιέχει μηδενικό byte.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια ημέρα γράφεται 2026-07-14 (έτος-μήνας-ημέρα).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια χρονολόγηση γράφεται σε EDTF, όπως -0599/-0549~ (600 έως περίπου 550 π.Χ.), -1149? ή 0350/..· τα έτη έχουν τέσσερα ψηφία.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα χρώμα Munsell γράφεται 10YR 3/1 ή N 4/.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το '%1' δεν είναι αριθμός· γράψτε 12.5 ή 12,5, χωρίς μονάδα.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το '%1' δεν είναι διαδρομή μέσα στο έργο· πρέπει να είναι σχετική, με '/' και χωρίς '..'.</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο· φτιάξτε το με το 'ostraka process'.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λείπει ο κατάλογος των αρχείων (manifest)· δεν είναι εξαγωγή του Ostraka.</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>Δεν γίνεται εγγραφή εδώ· ελέγξτε τον ελεύθερο χώρο και τα δικαιώματα.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όνομα σε εξαγωγή δεν πρέπει να περιέχει '%'.</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Δύο αρχεία της εξαγωγής θα είχαν το ίδιο όνομα.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάποιος δημιούργησε εν τω μεταξύ φάκελο με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δεν είναι εξαγωγή του Ostraka: λείπει το bagit.txt.</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Αυτό το αρχείο λείπει· δεν διαβάστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο άλλαξε μετά την εξαγωγή· δεν διαβάστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει πλαίσιο %1· δημιουργήστε το ή αφήστε την εισαγωγή να το δημιουργήσει.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει σακούλα %1· δημιουργήστε την ή αφήστε την εισαγωγή να τη δημιουργήσει.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη closed δέχεται yes ή no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη count_written δέχεται ακέραιο αριθμό.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή έχει %1 τιμές, η επικεφαλίδα %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη '%1' δεν είναι γνωστή· οι τιμές της κρατιούνται ως δικό σας πεδίο.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο δεν είναι κείμενο: περιέχει δυαδικά δεδομένα, που κανένας πίνακας δεν έχει.</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>Ο πίνακας έχει πάνω από 1.000.000 γραμμές· χωρίστε τον.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή %1 ανοίγει εισαγωγικά που δεν κλείνουν ποτέ.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή %1 έχει γράμματα μετά από εισαγωγικά που κλείνουν.</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>Ο πίνακας είναι άδειος· η πρώτη του γραμμή πρέπει να ονομάζει τις στήλες.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το όστρακο δεν έχει ακόμη μοντέλο και δεν μπορεί να σχεδιαστεί· υπολογίστε πρώτα την παρτίδα του.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι μετρήσεις της παρτίδας του είναι αμφίβολες: το ίδιο και το μέγεθος αυτού του σχεδίου.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δηλώθηκε ως χείλος, αλλά κανένα τμήμα της ακμής του δεν μπορεί να είναι· σχεδιάστηκε χωρίς αυτό.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 δεν υπάρχει και παραλείφθηκε.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 δεν είναι η φωτογραφία που καταχωρίστηκε· ελέγξτε την.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο ή η εικόνα του οστράκου %1 δεν είναι αυτό που καταχωρίστηκε· υπολογίστε ξανά την παρτίδα του %2.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 εξάγεται ολόκληρο: %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>Χωρίς εικόνες με μάσκες και θέσεις της %1: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει όστρακο για εξαγωγή· επιλέξτε πρώτα μερικά.</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>Η γραμμή δεν έχει ούτε αριθμό ούτε uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό υπάρχει σε δύο γραμμές του πίνακα.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός ανήκει σε άλλο όστρακο από το uuid.</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Μια στήλη του πίνακα δεν έχει όνομα.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη '%1' υπάρχει δύο φορές.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτοί οι τόποι και οι παρτίδες δεν είναι γραμμένοι όπως τους γράφει το Ostraka.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι αρχείο PLY.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι αρχείο GLB.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η εξαγωγή δεν περιέχει εγγραφές (JSON) οστράκων· εξαγάγετέ την ξανά με αυτές.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο έχει αυτό το όστρακο με άλλες τιμές· αυτές μένουν, και ό,τι διαφέρει κρατιέται δίπλα τους σε πεδία που τελειώνουν σε _in_%1.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο δεν είναι ανάμεσα στα αρχεία της εξαγωγής.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο έχει άλλο αρχείο με αυτό το όνομα· μετονομάστε την εξαγωγή και εισαγάγετέ την ξανά.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι εγγραφή οστράκου (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μέτρηση %1 έχει άλλη μονάδα από %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια τιμή της εγγραφής έχει άλλον τύπο από αυτόν που πρέπει.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι πολύ μεγάλο για ένα αρχείο ZIP· επιλέξτε λιγότερα όστρακα.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με την ακμή του.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Ο πίνακας βαθμονόμησης δεν φαίνεται· αυτή η εικόνα παραλείπεται.</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Ένα πλέγμα δεικτών χρειάζεται 'dictionary', 'markers_x', 'markers_y', 'marker_length' και 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τίποτα για βαθμονόμηση: φωτογραφίστε τον δίσκο σε κάθε στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) και τον πίνακα βαθμονόμησης στο 'calib', και αντιγράψτε δίπλα τους τα plate.json και board.json.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχουν εικόνες του πίνακα βαθμονόμησης· βάλτε τες εδώ ή στο 'calib'.</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Μπαίνει στην άκρη.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: το μέγεθός της δεν είναι ίδιο με της πρώτης· μπαίνει στην άκρη.</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>Η προσαρμογή της διάταξης δεν συνέκλινε· ελέγξτε ότι τα plate.json και board.json περιγράφουν ό,τι φωτογραφήθηκε.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν λέει πώς είναι λυγισμένα τα φύλλα· διαγράψτε το αρχείο και θα μετρηθούν ξανά.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν λέει πάνω σε τι στέκονται τα όστρακα· διαγράψτε το και θα βρεθεί ξανά.</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Οι δείκτες του φύλλου διαβάζονται σε %1 από %2 φωτογραφίες της πλευράς %3· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι το plate.json περιγράφει αυτό το φύλλο, ότι οι φωτογραφίες δεν είναι ανεστραμμένες και ότι οι περισσότεροι δείκτες είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: διαβάζονται %2 δείκτες του φύλλου, πολύ λίγοι για θέση· παραλείπεται.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παραλείπονται φωτογραφίες που δείχνουν πολύ λίγους δείκτες του φύλλου για μια θέση (%1 και %2 ακόμη)· δείτε αν δείχνουν αυτό το φύλλο.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: οι περισσότεροι δείκτες του φύλλου βρίσκονται εκεί σε άλλη θέση από ό,τι δείχνουν οι άλλες φωτογραφίες· παραλείπεται.</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Φωτογραφήθηκε μόνο μία πλευρά: οι %1 σαρώσεις της είναι ανοιχτές επιφάνειες χωρίς πίσω όψη· βρίσκονται στο 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει plate.json, οπότε οι δείκτες του δίσκου δεν χρησιμοποιούνται· αντιγράψτε εδώ εκείνο που έγραψε το 'ostraka plate' μαζί με τον δίσκο.</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Ο φακός της εκτιμάται από τους δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φακός της κάμερας %1 δεν είναι γνωστός: δεν υπάρχουν ούτε χρήσιμες εικόνες του πίνακα βαθμονόμησης ούτε δείκτες του δίσκου· προσθέστε εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φακός της κάμερας %1 εκτιμήθηκε μόνο από τους δείκτες του δίσκου· για ακριβή μέτρα προσθέστε 12 εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>Καμία φωτογραφία της κάμερας %1 δεν δείχνει δύο δείκτες του δίσκου· όλες οι φωτογραφίες της παραλείπονται.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γνωστή διάταξη δεν ταιριάζει πια: η κάμερα %1 χάνει τους δείκτες κατά %2 px· οι θέσεις των καμερών εκτιμώνται εκ νέου για αυτή την παρτίδα, βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: κανένας από τους %2 δείκτες της δεν βρίσκεται εκεί όπου τους βλέπει αυτή η κάμερα σε αυτή τη στάση.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έχει το όνομα άλλης φωτογραφίας ή τραβήχτηκε ενώ ο δίσκος γύριζε· παραλείπεται.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: δεν φαίνεται κανένας δείκτης· δείχνει αυτή τη στάση; Αν όχι, τραβήξτε την ξανά.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο %1 φωτογραφίες της μπροστινής όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο %1 φωτογραφίες της πίσω όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 βλέπει λιγότερους από έξι δείκτες του δίσκου στη στάση %2· ελέγξτε εκεί φως και εστίαση, και ότι τίποτα δεν είναι πάνω στους δείκτες.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφήθηκαν μόνο %1 στάσεις· πάρτε τουλάχιστον τέσσερις σε όλη τη στροφή, για να βρεθεί ο άξονας.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φάνηκαν λιγότεροι από οκτώ δείκτες, οπότε καμία απόσταση δεν κρατήθηκε για έλεγχο: η κλίμακα δεν ελέγχθηκε.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ανάμεσα στους δείκτες %1 και %2 μετρήσατε %3 mm, κατά το plate.json είναι %4 mm (%5 %)· μετρήστε τον χάρακα του δίσκου και φτιάξτε ξανά το plate.json με 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μη χρησιμοποιήσιμη: η κάμερα %1 χάνει τους δείκτες του δίσκου κατά %2 px (διάμεσος)· μήπως αγγίχτηκε ανάμεσα στις φωτογραφίες, ή το plate.json είναι άλλου δίσκου;</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>Μη χρησιμοποιήσιμη: η κλίμακα δεν είναι σωστή.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καλή: φακοί, θέσεις και κλίμακα είναι καθορισμένα.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμη μόνο για δοκιμή: ο φακός της κάμερας %1 προκύπτει μόνο από τους δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμη, αλλά μια εστιακή απόσταση δεν είναι γνωστή καλύτερα από ένα χιλιοστό της τιμής της.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμη· όσα αναφέρονται παρακάτω θα τη βελτίωναν.</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), %4 εικόνες του πίνακα βαθμονόμησης με %5 px, χειρότερη η %6 με %7 px, κλίση ως %8 μοίρες.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), οι δείκτες του δίσκου με διάμεσο %4 px.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), %4 εικόνες του πίνακα βαθμονόμησης με %5 px, χειρότερη η %6 με %7 px, κλίση ως %8 μοίρες, οι δείκτες του δίσκου με διάμεσο %9 px.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: τραβήξτε 12 εικόνες του πίνακα βαθμονόμησης, από κοντά και από μακριά, σε όλες τις γωνίες της εικόνας, με κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο 1 εικόνα δείχνει τον πίνακα βαθμονόμησης· τραβήξτε τουλάχιστον 8, καλύτερα 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο %2 εικόνες δείχνουν τον πίνακα βαθμονόμησης· τραβήξτε τουλάχιστον 8, καλύτερα 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: ο πίνακας βαθμονόμησης μόλις φτάνει σε αυτά τα μέρη της εικόνας: %2· προσθέστε εικόνες με τον πίνακα βαθμονόμησης εκεί.</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Σφάλμα επαναπροβολής %1 px στους δείκτες του δίσκου.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλίμακα: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κλίμακα: οι δείκτες %1 και %2, με το χέρι %3 mm ανάμεσα στα μέσα των εξωτερικών πλευρών τους, απέχουν %4 mm στις φωτογραφίες (%5 %).</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Στην άκρη: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φακός είναι γνωστός, οι θέσεις των καμερών όχι: δεν μπορεί να αποθηκευτεί διάταξη.</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>Μη χρησιμοποιήσιμη: η εστιακή απόσταση δεν καθορίστηκε.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φωτογραφίστε και τον δίσκο με τους δείκτες του: βάλτε μία εικόνα ανά κάμερα και στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) δίπλα στο plate.json, τις εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο δείκτης %1 του γνωστού μήκους δεν φαίνεται δύο φορές· ονομάστε δύο δείκτες του δίσκου που δείχνουν οι φωτογραφίες.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα γνωστό μήκος χρειάζεται δύο διαφορετικούς δείκτες και χιλιοστά πάνω από το μηδέν.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τέτοιος φάκελος· ονομάστε έναν με φωτογραφίες του δίσκου ή του πίνακα βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Περισσότεροι από πέντε όροι παραμόρφωσης για το '%1' δεν γίνονται κατανοητοί· διορθώστε πρώτα την παραμόρφωση των φωτογραφιών του.</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>Από μια εικόνα λείπει file, width, height, K, R ή t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο των καμερών δεν περιέχει λίστα 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 του COLMAP έχει το μοντέλο '%2' ή τιμές που δεν χρησιμοποιούνται εδώ· χρησιμοποιήστε OPENCV.</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>Το μοντέλο του COLMAP δεν έχει κάμερα για την εικόνα '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο έχει βλάβη ή δεν είναι όπως το γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η γραμμή %1 δεν είναι όπως τη γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση αυτής της φωτογραφίας προσδιορίζεται χωρίς τη μάσκα της.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς plate.json οι θέσεις έρχονται από το COLMAP, που δεν είναι εγκατεστημένο· εγκαταστήστε το πακέτο 'colmap' ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το COLMAP βρήκε θέση για %1 από %2 φωτογραφίες, πολύ λίγες· δώστε μάσκες ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κλίμακα δεν είναι σωστή: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %)· ελέγξτε ότι το plate.json ανήκει σε αυτόν τον δίσκο, ότι ο δίσκος είναι σωστά τυπωμένος και κολλημένος, και ότι η γνωστή διάταξη βαθμονομήθηκε με αυτόν.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε σχέση με την κάμερα %1, η κάμερα %2 μετακινήθηκε κατά %3 mm και στράφηκε κατά %4 μοίρες από τη βαθμονόμηση της διάταξης.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ο πίνακας βαθμονόμησης δεν φαίνεται σε αυτήν· μπαίνει στην άκρη.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το λεξικό δεικτών '%1' δεν είναι γνωστό· χρησιμοποιήστε ένα όπως το DICT_4X4_100.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η πλευρά των δεικτών πρέπει να είναι μεταξύ 5 και 200 mm.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάμετρος του δίσκου πρέπει να είναι μεταξύ 1 και 2000 mm.</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>Δείκτες %1 mm δεν αφήνουν χώρο για όστρακο σε δίσκο %2 mm· κάντε τον δίσκο μεγαλύτερο.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιθώριο του εκτυπωτή πρέπει να είναι μεταξύ 0 και 40 mm.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η επικάλυψη των φύλλων πρέπει να είναι μεταξύ 5 και 40 mm.</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>Το λεξικό %1 έχει πολύ λίγους δείκτες για αυτόν τον δίσκο.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όσο μετρά ο χάρακας πρέπει να είναι μήκος σε mm μέσα στον δίσκο.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο χάρακας αυτού του δίσκου σχεδιάστηκε με μήκος %1 mm, τα %2 mm διαφέρουν πάνω από ένα δέκατο· τυπώστε το αρχείο στο 100 %, χωρίς 'προσαρμογή στη σελίδα', και μετρήστε ξανά.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 έχει συνδιακύμανση άλλου μεγέθους· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η διάταξη γράφτηκε από άλλη έκδοση· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 υπάρχει δύο φορές στη διάταξη.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι αρχείο διάταξης (RIG.json)· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάταξη δεν έχει κάμερα· βαθμονομήστε την ξανά.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο υπάρχει ήδη και δεν είναι διάταξη· ονομάστε άλλο.</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>Το ημερολόγιο δεν γράφεται.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν ξεκινά καμία διεργασία.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πρόγραμμα χάθηκε.</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>Το πρόγραμμα δεν ξεκινά· εγκαταστήστε το.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 τελείωσε με σφάλμα· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
     </message>
@@ -8769,12 +8769,12 @@
       <translation>Η κάμερα δεν τράβηξε φωτογραφία.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το COLMAP δεν βρίσκει πώς συνδέονται αυτές οι φωτογραφίες· τα μηνύματά του βρίσκονται σε αυτό το αρχείο. Δείτε αν όλες δείχνουν τα ίδια όστρακα με μεγάλη επικάλυψη, ή φωτογραφίστε σε πλάκα με σημάδια.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο δεν υπάρχει πια· υπολογίστε ξανά την παρτίδα του.</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Το όστρακο αυτό είναι άκυρο.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όστρακο αυτό είναι άκυρο, επειδή: %1</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>τοίχωμα %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια σακούλα ανήκει σε πλαίσιο· καταχωρίστε πρώτα το πλαίσιο.</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>Το πλαίσιο %1 δεν έχει σακούλα %2· αλλάξτε ή αδειάστε συγχρόνως τη σακούλα.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει ακόμη σακούλα %1 στο πλαίσιο %2· πληκτρολογήστε την στη λήψη ή εισαγάγετε έναν πίνακα πλαισίων που την περιέχει.</translation>
     </message>
@@ -8849,12 +8849,12 @@
       <translation>Αυτό που θεωρήθηκε χείλος μπορεί να είναι θραύση (%1 % ότι είναι το χείλος) και η διάμετρος λάθος· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η παρτίδα φωτογραφίζεται τώρα· θα υπολογιστεί όταν τελειώσει η φωτογράφιση.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι συγκολλήσεις με όστρακα που δεν υπάρχουν στην εξαγωγή ή δεν καταχωρίστηκαν παραλείπονται: %1· καταχωρίστε τις με το χέρι.</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>Το «%1» διαβάζεται ως %2 ή ως %3· γράψτε ένα από τα δύο.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
     </message>
@@ -8879,12 +8879,12 @@
       <translation>Η %1 ξαναφωτογραφήθηκε αφού διορθώθηκε η μάσκα της· οι πινελιές στην προηγούμενη φωτογραφία παραλείπονται. Κοιτάξτε τη μάσκα της.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει υπολογιστεί ακόμη.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Υπάρχει φύλλο παλαιότερου σχεδίου και δεν αντικαθίσταται· διαλέξτε άλλο όνομα ή αφαιρέστε το.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετά το σύμβολο = ακολουθεί αριθμός.</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα· δεν αντικαθίσταται.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εξαγωγή ορίζει στο έργο μια θέση όπου δεν ανήκει τέτοιο αρχείο· δεν καταχωρίστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>μια σελίδα άλλαξε</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>οι σελίδες του δεν ταιριάζουν μεταξύ τους</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>το αρχείο ανήκει σε άλλο πρόγραμμα</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>το αρχείο δεν περιέχει κατάλογο</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>η κεφαλίδα αντιφάσκει</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>δεν περιέχει έργο</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος δεν διαβάζεται· ελέγξτε ότι υπάρχει, καθώς και τα δικαιώματά του.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί και δεν υπάρχει χώρος για αντίγραφο ανάγνωσης· ελευθερώστε χώρο στον φάκελο προσωρινών αρχείων.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Αυτό το έργο έγινε με παλαιότερο Ostraka και εδώ μπορεί μόνο να διαβαστεί· αντιγράψτε το σε φάκελο όπου μπορείτε να γράψετε και ανοίξτε το εκεί.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος είναι κατεστραμμένος και κανένα αντίγραφο ασφαλείας του δεν είναι ακέραιο· αντιγράψτε ένα στον φάκελο backups, από αρχειοθήκη ή άλλον δίσκο, και επισκευάστε τον ξανά.</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Άλλο πρόγραμμα έχει ανοιχτό αυτό το έργο· κλείστε το εκεί και μετά επισκευάστε το.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο πίνακας χρειάζεται στήλη με τους αριθμούς των οστράκων, ή στήλες θέσης και ανασκαφικής ενότητας (ενότητες)· δηλώστε ποιες είναι.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Από %1 γραμμές καταχωρίστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη &apos;%1&apos; λέει το ίδιο με τη &apos;%2&apos;· οι τιμές της μένουν σε δικό σας πεδίο.</translation>
     </message>

@@ -1622,7 +1622,7 @@
       <translation>Anverso %1, reverso %2</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta cámara no muestra imagen en vivo.</translation>
     </message>
@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una carpeta con este nombre; elija otro nombre.</translation>
     </message>
@@ -5086,47 +5086,47 @@
       <translation>(%1, %2) mm</translation>
     </message>
     <message>
-      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se pudieron contar los fragmentos: se ven muy pocas marcas del plato.</translation>
     </message>
     <message>
-      <source>No sherd is seen on the plate.</source>
+      <source>No sherd is visible on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se ve ningún fragmento en el plato.</translation>
     </message>
     <message>
-      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay fragmentos que se tocan o casi se tocan en %1 desde el centro del plato: sepárelos y fotografíe otra vez.</translation>
     </message>
     <message>
-      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que está en %1 desde el centro del plato se contó como uno, pero pueden ser dos fragmentos que se tocan: mire ahí; si es así, sepárelos y fotografíe otra vez.</translation>
     </message>
     <message>
-      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El dorso parece el anverso: dé la vuelta a los fragmentos y fotografíelos otra vez.</translation>
     </message>
     <message>
-      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se pudieron contar los fragmentos del dorso: compare usted mismo las imágenes antes de vaciar el plato.</translation>
     </message>
     <message>
-      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se pudieron contar los fragmentos del anverso: compare usted mismo las imágenes antes de vaciar el plato.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El anverso mostró %1 fragmentos, el dorso %2: busque el que falta antes de vaciar el plato.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El anverso mostró %1 fragmentos, el dorso %2: ¿se añadió uno, o se rompió uno?</translation>
     </message>
@@ -5149,7 +5149,7 @@
       <translation>La cámara no está conectada o no está encendida.</translation>
     </message>
     <message>
-      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara no responde; ¿está en reposo? Desactive su apagado automático.</translation>
     </message>
@@ -5159,72 +5159,72 @@
       <translation>La cámara sigue ocupada; apáguela y enciéndala.</translation>
     </message>
     <message>
-      <source>The line to the camera is broken; look at its cable.</source>
+      <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se cortó la conexión con la cámara; revise su cable.</translation>
     </message>
     <message>
-      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro programa retiene la cámara, a menudo el gestor de archivos; 'ostraka devices' lo nombra.</translation>
     </message>
     <message>
-      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara no se puede abrir; ¿puede usarla este usuario? Vea 'ostraka devices'.</translation>
     </message>
     <message>
-      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No llegó ninguna foto de la cámara; ¿está enfocada y en modo manual?</translation>
     </message>
     <message>
-      <source>The camera does not stop to deliver photographs.</source>
+      <source>The camera does not stop sending photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara no deja de entregar fotos.</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta cámara no muestra imagen en directo.</translation>
     </message>
     <message>
-      <source>The turntable does not reach its angle; is it blocked?</source>
+      <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no alcanza su ángulo; ¿está bloqueada?</translation>
     </message>
     <message>
-      <source>The turntable was paused at its own button.</source>
+      <source>The turntable was paused with its own button.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria se pausó con su propio botón.</translation>
     </message>
     <message>
-      <source>The table's position is not known: home it, or align it.</source>
+      <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se conoce la posición de la mesa: llévela a cero o alinéela.</translation>
     </message>
     <message>
-      <source>The turntable does not answer in the network.</source>
+      <source>The turntable does not answer on the network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no responde en la red.</translation>
     </message>
     <message>
-      <source>The controller restarted; the table's position is not known.</source>
+      <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El controlador se reinició; no se conoce la posición de la mesa.</translation>
     </message>
     <message>
-      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se perdió una respuesta de la mesa y no puede decir dónde está: llévela a cero o alinéela.</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa no responde como un controlador GRBL: ¿está encendida y es de este tipo?</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa no responde como una ComXim: ¿está encendida y es de este tipo?</translation>
     </message>
@@ -5234,7 +5234,7 @@
       <translation>USB no funciona en este ordenador.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and shoot on.</source>
+      <source>The disk is full; free some space, then continue shooting.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco está lleno; libere espacio y siga fotografiando.</translation>
     </message>
@@ -5244,12 +5244,12 @@
       <translation>El disco está lleno; libere espacio y empiece lo mismo otra vez.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco está lleno; haga sitio e inténtelo otra vez. No se perdió nada.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro programa mantiene ocupado el catálogo; ciérrelo e inténtelo otra vez.</translation>
     </message>
@@ -5259,12 +5259,12 @@
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» no es un tipo de contexto; puede ser layer, cut, fill, structure, surface o unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yacimientos y cortes que no existían: %1; compruebe que ninguno sea una errata.</translation>
     </message>
@@ -5304,7 +5304,7 @@
       <translation>Cámara %1: su balance de blancos no es el mismo en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ninguna cámara explica las imágenes de calibración.</translation>
     </message>
@@ -5319,7 +5319,7 @@
       <translation>No se indicó ninguna carpeta de tanda.</translation>
     </message>
     <message>
-      <source>The angle is no number.</source>
+      <source>The angle is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El ángulo no es un número.</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>La red necesita una foto en color de 8 bits.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se indicó ninguna escala para dibujarlo.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una vista previa se deshace.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un archivo no debe estar dentro del propio proyecto.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un proyecto se restaura en una carpeta nueva o vacía; elija otro nombre.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es el archivo de un proyecto entero; léalo como una exportación.</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>El lado de un marcador debe estar entre 0,5 y 1000 mm; mida un cuadrado negro en el papel.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En estas %2 fotos no se lee ninguna hoja con al menos %1 marcadores de los diccionarios de OpenCV; tome fotos que muestren más de ella, o indique su plate.json.</translation>
     </message>
@@ -5734,32 +5734,32 @@
       <translation>El tablero necesita 'dictionary', 'squares_x', 'squares_y', 'square_mm' y 'marker_mm'.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede escribir aquí (%1); elija otra carpeta para la tanda o revise sus permisos.</translation>
     </message>
     <message>
-      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un archivo con este nombre y no se sobrescribe; indique otra tanda.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
+      <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda se empezó en otro plato: siga con aquel o empiece otra tanda.</translation>
     </message>
     <message>
-      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda se empezó con %1 cámaras y %2 paradas, no con %3 y %4; indique otra carpeta.</translation>
     </message>
     <message>
-      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La foto se modificó después de tomarla; vuelva a poner el original o indique otra carpeta para la tanda.</translation>
     </message>
     <message>
-      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta foto no se tomó aquí; indique otra carpeta para la tanda.</translation>
     </message>
@@ -5769,12 +5769,12 @@
       <translation>La cámara %1 solo entrega archivos raw; ponga su formato de imagen en JPEG o en ambos.</translation>
     </message>
     <message>
-      <source>%1 is %2, the rig says %3</source>
+      <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 es %2, el equipo dice %3</translation>
     </message>
     <message>
-      <source>%1 is %2, at the first photograph it was %3</source>
+      <source>%1 is %2, but the first photograph used %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 es %2, en la primera foto era %3</translation>
     </message>
@@ -5789,72 +5789,72 @@
       <translation>La mesa giratoria no respondió.</translation>
     </message>
     <message>
-      <source>The turntable does not tell where it stands.</source>
+      <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no dice dónde está.</translation>
     </message>
     <message>
-      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria rechazó una orden (error %1): tipo de mesa equivocado o cable defectuoso.</translation>
     </message>
     <message>
-      <source>The table's speed must be more than 0.</source>
+      <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La velocidad de la mesa debe ser mayor que 0.</translation>
     </message>
     <message>
-      <source>The line to the turntable is broken (%1).</source>
+      <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se cortó la conexión con la mesa giratoria (%1).</translation>
     </message>
     <message>
-      <source>is not open</source>
+      <source>it is not open</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>no está abierta</translation>
     </message>
     <message>
-      <source>takes no more bytes</source>
+      <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>no acepta más bytes</translation>
     </message>
     <message>
-      <source>was closed at the other end</source>
+      <source>it was closed at the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>se cerró en el otro extremo</translation>
     </message>
     <message>
-      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No tiene permiso para usar este puerto serie; instale las reglas udev de Ostraka o únase al grupo dialout y vuelva a iniciar sesión.</translation>
     </message>
     <message>
-      <source>The serial port is used by another program; close it.</source>
+      <source>Another program uses the serial port; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro programa está usando el puerto serie; ciérrelo.</translation>
     </message>
     <message>
-      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El puerto serie no está; ¿está conectada y encendida la mesa giratoria?</translation>
     </message>
     <message>
-      <source>This is no serial port.</source>
+      <source>Not a serial port.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un puerto serie.</translation>
     </message>
     <message>
-      <source>The serial port does not take its settings.</source>
+      <source>The serial port does not accept its settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El puerto serie no acepta sus ajustes.</translation>
     </message>
     <message>
-      <source>The turntable's address is not known in this network.</source>
+      <source>The turntable&apos;s address is unknown on this network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La dirección de la mesa giratoria no se conoce en esta red.</translation>
     </message>
     <message>
-      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un puerto serie no puede trabajar a %1 baudios; lo habitual es 9600 y 115200.</translation>
     </message>
@@ -5864,22 +5864,22 @@
       <translation>Una dirección de red tiene la forma 192.168.0.7:23.</translation>
     </message>
     <message>
-      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escritorio no suelta la cámara: todavía la retiene %1; cierre su ventana de archivos e inténtelo otra vez.</translation>
     </message>
     <message>
-      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <source>A watched folder has no setting %1; set it on the camera.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una carpeta vigilada no tiene el ajuste %1; ajústelo en la cámara.</translation>
     </message>
     <message>
-      <source>A watched folder shows no live picture.</source>
+      <source>A watched folder has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una carpeta vigilada no muestra imagen en directo.</translation>
     </message>
     <message>
-      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No llegó ninguna foto nueva en %1 segundos; ¿escribe el programa de la cámara en esta carpeta?</translation>
     </message>
@@ -5889,22 +5889,22 @@
       <translation>La carpeta vigilada no se puede leer (%1).</translation>
     </message>
     <message>
-      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Llegaron dos fotos para una toma, %1 y %2; una cámara por carpeta, una foto por parada.</translation>
     </message>
     <message>
-      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <source>The camera with this serial number is not plugged in; found: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara con este número de serie no está conectada; hay: %1.</translation>
     </message>
     <message>
-      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <source>The camera does not offer %1 for %2; it is set to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara no ofrece %1 para %2; está en %3.</translation>
     </message>
     <message>
-      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara mantiene %1 en %2 en vez de %3; mire su dial de modos.</translation>
     </message>
@@ -5919,7 +5919,7 @@
       <translation>La cámara comunica: %1.</translation>
     </message>
     <message>
-      <source>The table has no zero switch.</source>
+      <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa no tiene interruptor de cero.</translation>
     </message>
@@ -5934,7 +5934,7 @@
       <translation>No se desbloqueó.</translation>
     </message>
     <message>
-      <source>It did not answer when the shutters were to be fired.</source>
+      <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No respondió cuando había que disparar.</translation>
     </message>
@@ -5944,17 +5944,17 @@
       <translation>La mesa giratoria no responde.</translation>
     </message>
     <message>
-      <source>The turntable does not come to rest.</source>
+      <source>The turntable does not stop moving.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no se detiene.</translation>
     </message>
     <message>
-      <source>The turntable does not take its zero.</source>
+      <source>The turntable does not accept its zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no acepta su cero.</translation>
     </message>
     <message>
-      <source>The controller counts from anew; the table's position is not known.</source>
+      <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El controlador cuenta desde el principio; no se conoce la posición de la mesa.</translation>
     </message>
@@ -5974,72 +5974,72 @@
       <translation>La salida del disparador debe ser M8, M7, M3 o M62 Pn.</translation>
     </message>
     <message>
-      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa se detuvo en movimiento y su posición se perdió: alinee la marca de cero (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El controlador de la mesa dice que el giro excede su recorrido: desactive $20 (ALARM:%1).</translation>
     </message>
     <message>
-      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se pudo llevar a cero: revise el interruptor de cero y su cable (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El controlador de la mesa dio una alarma (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El controlador no entiende la orden: tipo de controlador equivocado o cable defectuoso (error:%1).</translation>
     </message>
     <message>
-      <source>The table has no zero switch (error:%1).</source>
+      <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa no tiene interruptor de cero (error:%1).</translation>
     </message>
     <message>
-      <source>The table is still moving (error:%1).</source>
+      <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa todavía se mueve (error:%1).</translation>
     </message>
     <message>
-      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa está bloqueada: llévela a cero o desbloquéela (error:%1).</translation>
     </message>
     <message>
-      <source>The table's controller refused a command (error:%1).</source>
+      <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El controlador de la mesa rechazó una orden (error:%1).</translation>
     </message>
     <message>
-      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gire la mesa en sentido antihorario hasta %1 grados y retire la mano.</translation>
     </message>
     <message>
-      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es una lista de fotos de Ostraka; indique otra carpeta para la tanda.</translation>
     </message>
     <message>
-      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se conoce el controlador %1 de la mesa giratoria; hay: grbl, comxim1, comxim2, text, hand.</translation>
     </message>
     <message>
-      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <source>The camera driver %1 is unknown; available: folder, gphoto2, uvc.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se conoce el controlador de cámara %1; hay: folder, gphoto2, uvc.</translation>
     </message>
     <message>
-      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo no nombra ningún dispositivo; 'ostraka devices' dice qué está conectado y cómo escribirlo ahí.</translation>
     </message>
@@ -6054,12 +6054,12 @@
       <translation>settle_s y speed_deg_s deben ser positivos.</translation>
     </message>
     <message>
-      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La parte 'devices' no se puede leer; compárela con el capítulo del README sobre dispositivos.</translation>
     </message>
     <message>
-      <source>The number of stops must lie between 3 and 99.</source>
+      <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número de paradas debe estar entre 3 y 99.</translation>
     </message>
@@ -6069,32 +6069,32 @@
       <translation>El equipo no tiene cámara o no tiene mesa giratoria.</translation>
     </message>
     <message>
-      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay una toma %1 que repetir: esta cara tiene las paradas 1 a %2 y las cámaras A a %3.</translation>
     </message>
     <message>
-      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 de esta tanda era %2, la de aquí es %3; siga con las cámaras con que empezó o indique otra carpeta.</translation>
     </message>
     <message>
-      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se conoce la posición de la mesa: gire su marca de cero hacia delante y fije el cero.</translation>
     </message>
     <message>
-      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1, parada %2: falló %3 veces: %4.</translation>
     </message>
     <message>
-      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 solo entrega fotos anteriores o dañadas; apáguela y enciéndala.</translation>
     </message>
     <message>
-      <source>The turntable does not answer as a %1; is it another one?</source>
+      <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no responde como un %1; ¿es otra?</translation>
     </message>
@@ -6109,52 +6109,52 @@
       <translation>controlador de texto</translation>
     </message>
     <message>
-      <source>This table has no zero switch: align it by eye.</source>
+      <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta mesa no tiene interruptor de cero: alinéela a ojo.</translation>
     </message>
     <message>
-      <source>The turntable refuses: %1.</source>
+      <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria se niega: %1.</translation>
     </message>
     <message>
-      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <source>The turntable is at %1 degrees instead of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria está en %1 grados en vez de %2.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras de la mesa giratoria: 'move' debe contener {target} o {by}.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras de la mesa giratoria: 'accepted' debe decir cómo responde.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras de la mesa giratoria: 'query' y 'position' van juntas.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras de la mesa giratoria: 'reply_s' debe ser mayor que 0.</translation>
     </message>
     <message>
-      <source>The turntable's words: '%1' is no regular expression.</source>
+      <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras de la mesa giratoria: '%1' no es una expresión regular.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las palabras de la mesa giratoria: 'position' necesita un grupo para el ángulo.</translation>
     </message>
     <message>
-      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'dialect' de la mesa giratoria debe ser "marlin" o sus palabras.</translation>
     </message>
@@ -6169,17 +6169,17 @@
       <translation>La mesa giratoria se desconectó.</translation>
     </message>
     <message>
-      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Falló la conexión USB de la mesa giratoria (%1); vuelva a conectarla.</translation>
     </message>
     <message>
-      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <source>You have no permission to use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No tiene permiso para usar este dispositivo USB; instale packaging/udev/70-ostraka.rules y vuelva a conectarlo.</translation>
     </message>
     <message>
-      <source>The turntable is used by another program; close it.</source>
+      <source>Another program uses the turntable; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro programa está usando la mesa giratoria; ciérrelo.</translation>
     </message>
@@ -6189,22 +6189,22 @@
       <translation>La mesa giratoria no se puede abrir (%1).</translation>
     </message>
     <message>
-      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <source>This USB device is not a serial controller (CDC-ACM).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este dispositivo USB no es un controlador serie (CDC-ACM).</translation>
     </message>
     <message>
-      <source>The turntable of this serial number is not plugged in.</source>
+      <source>The turntable with this serial number is not plugged in.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria con este número de serie no está conectada.</translation>
     </message>
     <message>
-      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <source>A USB turntable is named by vendor and product, for example usb:1209:0001.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una mesa giratoria USB se nombra por fabricante y producto, como usb:1209:0001.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara de vídeo no se puede abrir: ¿está conectada y no la usa otro programa?</translation>
     </message>
@@ -6229,17 +6229,17 @@
       <translation>No está abierta.</translation>
     </message>
     <message>
-      <source>The video camera gives no pictures any more.</source>
+      <source>The video camera no longer delivers pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara de vídeo ya no da imágenes.</translation>
     </message>
     <message>
-      <source>The video camera has taken no picture.</source>
+      <source>The video camera took no picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara de vídeo no tomó ninguna imagen.</translation>
     </message>
     <message>
-      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara de vídeo da imágenes de %1x%2 píxeles, no del tamaño ajustado.</translation>
     </message>
@@ -6249,47 +6249,47 @@
       <translation>Hay que nombrar la cámara de vídeo.</translation>
     </message>
     <message>
-      <source>the file is cut off or no picture</source>
+      <source>the file is truncated or not a picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>el archivo está cortado o no es una imagen</translation>
     </message>
     <message>
-      <source>the markers show another angle than this stop's</source>
+      <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>las marcas muestran otro ángulo que el de esta parada</translation>
     </message>
     <message>
-      <source>the picture has another size than the camera's others</source>
+      <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la imagen tiene otro tamaño que las demás de la cámara</translation>
     </message>
     <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>se ven muy pocas marcas para saber la parada: ¿hay algo delante, está borrosa?</translation>
     </message>
     <message>
-      <source>the camera handed over an earlier photograph once more</source>
+      <source>the camera delivered an earlier photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la cámara entregó otra vez una foto anterior</translation>
     </message>
     <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
+      <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>se ven muy pocas marcas del plato: ¿hay algo delante?</translation>
     </message>
     <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
+      <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>está borrosa: ¿se movía aún la mesa, cambió el enfoque?</translation>
     </message>
     <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
+      <source>the sherds are too dark: add light or increase the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>los fragmentos están muy oscuros: dé más luz o exponga más tiempo</translation>
     </message>
     <message>
-      <source>the sherds are burnt out: expose shorter</source>
+      <source>the sherds are overexposed: reduce the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>los fragmentos están sobreexpuestos: exponga menos tiempo</translation>
     </message>
@@ -6299,12 +6299,12 @@
       <translation>el borde de la imagen corta un fragmento: muévalo, o mueva la cámara</translation>
     </message>
     <message>
-      <source>the camera's settings are others than they were: set them back</source>
+      <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>los ajustes de la cámara no son los de antes: restablézcalos</translation>
     </message>
     <message>
-      <source>%1: set it back</source>
+      <source>%1: restore it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: restablézcalo</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>El uuid de una tanda está mal formado.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una tanda %1.</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Esta tanda no está en el catálogo.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El código del proyecto debe tener de 2 a 8 mayúsculas o cifras, como ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un término de un vocabulario debe tener letras y ningún ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El término '%1' está dos veces en el vocabulario.</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>Fragmentos con el término «%1»: %2; cámbielos primero.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>una fila de %1 no apunta a nada</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>las tablas de los fragmentos no concuerdan</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la búsqueda no conoce todos los fragmentos</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copia de seguridad no contiene lo que se guardó; inténtelo otra vez.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El catálogo no se puede abrir; compruebe que la carpeta existe y que se puede escribir en ella.</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>No se puede escribir en el catálogo; revise los permisos de la carpeta.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El disco no responde bien; revíselo y vuelva a abrir el proyecto.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El catálogo no acepta esto (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo no es un anverso de esta tanda.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo no es un reverso de esta tanda.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>su anverso ya no tiene reverso</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una pareja tiene un anverso y un reverso.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión que se quiere retirar no está en esta tanda.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una decisión nombra un anverso, un reverso o ambos.</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>El uuid de una decisión está mal formado.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo no está en la carpeta del proyecto.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es un borrador a partir de fotos con menos detalle; calcule otra vez la tanda para tener medidas definitivas.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No son resultados completos de 'ostraka process'; ejecútelo otra vez.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tabla de parejas nombra el escaneo %1, que no existe; ejecute otra vez 'ostraka process'.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta tanda ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta foto ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este escaneo ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta persona ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este yacimiento ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este corte ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este contexto ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta bolsa ya no está en el catálogo.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro abre unas comillas y no las cierra.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es solo una parte de la etiqueta de un fragmento; lea otra vez su código.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro no conoce ningún campo '%1'; ponga la palabra entre comillas para buscarla tal cual.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo las medidas se comparan con &lt; y &gt;; escriba %1:value.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro no es un texto legible.</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>No hay ningún campo '%1'.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Algunos de los cambios quedan, porque no se pudieron deshacer: %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>No hay ninguna medida de este tipo.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una medida nunca es menor que 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este proyecto se hizo con un Ostraka más nuevo (catálogo versión %1, este programa conoce %2); instálelo, no se cambió nada.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numeración no puede contener el carácter '%1'; entre las marcas se permiten letras, cifras, '.', '_', '/' y '-'.</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>La numeración abre una marca con { y no la cierra con }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numeración no tiene la marca {%1}; hay site, trench, context, bag, batch, yyyy, yy y n.</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>La anchura de {%1} debe escribirse como :04, con 12 cifras como máximo.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dos marcas se tocan; ponga un '-' u otro signo entre {%1} y {%2}.</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>El número necesita la tanda del fragmento, que no está registrada.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El yacimiento %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El corte %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La bolsa %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda %1 contiene el signo '%2' que está a su lado en el número.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 ya se dio antes; los números nunca se reutilizan.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El bloque de números hasta %1 está agotado; dé a este ordenador un bloque nuevo en los ajustes.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una decisión necesita el nombre de la persona que la toma.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se unen dos piezas o más.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se corta una sola pieza.</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>El número de una bolsa no puede estar vacío.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El nombre de una persona es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las iniciales de la persona son demasiado largas; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El código de un yacimiento es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El código de un corte es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número de un contexto es demasiado largo; 200 letras como máximo.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número de una bolsa es demasiado largo; 200 letras como máximo.</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>El uuid está mal formado.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las iniciales %1 ya pertenecen a otra persona.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La latitud está entre -90 y 90 grados.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longitud está entre -180 y 180 grados.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un yacimiento %1.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un corte pertenece a un yacimiento.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un corte no puede estar dentro de sí mismo.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un corte %1 en este yacimiento.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un contexto pertenece a un yacimiento.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El corte pertenece a otro yacimiento que el contexto.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un contexto %1 en este lugar.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una bolsa pertenece a un contexto.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El peso de una bolsa es mayor que 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cantidad nunca es menor que 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una bolsa %1 en este contexto.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta está en un recurso de red (%1), donde los catálogos se dañan; use una carpeta del disco de este ordenador y copie las copias de seguridad al recurso.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta no es un proyecto de Ostraka: no contiene catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un proyecto nuevo necesita una carpeta nueva o vacía; elija otro nombre.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta no se puede crear; elija un lugar en el que pueda escribir.</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Un uuid de la exportación está mal formado.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión está guardada con la tanda, pero %1 aún no está en el catálogo; se anotará con los próximos resultados.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El campo %1 viene del programa.</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Un fragmento anulado conserva su número.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un número no contiene saltos de línea, tabuladores ni '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un número tiene 120 caracteres como máximo.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 se daría dos veces.</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>Los archivos de %1 tendrían los mismos nombres que los de %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 ya se dio antes y no se vuelve a usar.</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>El número %1 pertenece a otro fragmento.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' no es un término del vocabulario '%2'; elija otro o añádalo en los ajustes.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que sigue al signo ± es mayor que 0, o 0 si no se conoce ninguna incertidumbre.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una medida es mayor que 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún fragmento mide más de 1000 mm; ¿está en milímetros?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún fragmento pesa más de 20 kg; ¿está en gramos?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una proporción es de 100 % como máximo.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay ningún fragmento %1 con el que pueda unirse.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento no se une consigo mismo.</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Un fragmento numerado necesita su contexto.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento recibe número cuando se conoce su contexto.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tabla no se puede ordenar por '%1'.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento ya no está en el catálogo.</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>El uuid de un fragmento está mal formado.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay un fragmento con este uuid.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento se anula por algún motivo; diga cuál.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 está en dos fragmentos de este plato.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 ya pertenece a otro fragmento.</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>El texto supera 1 MB.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El texto no es UTF-8 válido o contiene un byte nulo.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un día se escribe 2026-07-14 (año-mes-día).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una fecha se escribe en EDTF, como -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un color Munsell se escribe 10YR 3/1 o N 4/.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' no es un número; escriba 12.5 o 12,5, sin unidad.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' no es una ruta dentro del proyecto; debe ser relativa, con '/' y sin '..'.</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Un dibujo necesita un modelo cerrado; hágalo con 'ostraka process'.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Falta el manifiesto; no es una exportación de Ostraka.</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>No se puede escribir aquí; revise el espacio libre y los permisos.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una carpeta con este nombre; elija otro nombre.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nombre de una exportación no puede contener '%'.</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Dos archivos de la exportación tendrían el mismo nombre.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alguien creó entretanto una carpeta con este nombre; elija otro nombre.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta no es una exportación de Ostraka: falta bagit.txt.</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Este archivo falta; no se leyó nada.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo se modificó después de la exportación; no se leyó nada.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay ningún contexto %1; créelo o deje que lo cree la importación.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay ninguna bolsa %1; créela o deje que la cree la importación.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna closed admite yes o no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna count_written admite un número entero.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La fila tiene %1 valores, el encabezado %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna '%1' no se conoce; sus valores se guardan como un campo propio.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo no es texto: contiene datos binarios, que ninguna tabla tiene.</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>La tabla tiene más de 1 000 000 de filas; divídala.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La línea %1 abre unas comillas que nunca se cierran.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La línea %1 tiene letras detrás de unas comillas de cierre.</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>La tabla está vacía; su primera línea debe nombrar las columnas.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este fragmento aún no tiene modelo y no se puede dibujar; calcule antes su tanda.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las medidas de su tanda son dudosas: también el tamaño de este dibujo.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se dice que es un borde, pero ningún tramo de su contorno puede serlo; dibujado sin él.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 no está y se omitió.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 no es la foto que se registró; compruébela.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo o esta imagen del fragmento %1 no es lo que se registró; calcule de nuevo su tanda %2.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 va entero: %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>Sin imágenes con máscaras y poses de %1: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay ningún fragmento que exportar; elija antes algunos.</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>La fila no tiene ni número ni uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto está en dos filas de la tabla.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número pertenece a otro fragmento que el uuid.</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Una columna de la tabla no tiene nombre.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna '%1' está dos veces.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estos lugares y tandas no están escritos como los escribe Ostraka.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un archivo PLY.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un archivo GLB.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta exportación no contiene fichas (JSON) de fragmentos; expórtela otra vez con ellas.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto tiene este fragmento con otros valores; se quedan, y lo que difiere se guarda al lado en campos que acaban en _in_%1.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo no está entre los archivos de la exportación.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto tiene otro archivo con este nombre; cambie el nombre de la exportación e impórtela otra vez.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es la ficha de un fragmento (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La medida %1 tiene otra unidad que %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un valor de la ficha es de otro tipo del debido.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es demasiado grande para un solo archivo ZIP; elija menos fragmentos.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su borde.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se ve el tablero; esta imagen se omite.</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Una cuadrícula de marcas necesita 'dictionary', 'markers_x', 'markers_y', 'marker_length' y 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay nada con que calibrar: fotografíe el plato en cada parada en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay imágenes del tablero; póngalas aquí o en 'calib'.</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Se aparta.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: su tamaño no es el de la primera; se aparta.</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>El ajuste del equipo no llegó a una solución; compruebe que plate.json y board.json describen lo que se fotografió.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No indica cómo están curvadas las hojas; borre el archivo y se medirán de nuevo.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No dice sobre qué están los fragmentos; bórrelo y se determinará de nuevo.</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Las marcas de la hoja se leen en %1 de %2 fotografías del lado %3; se necesitan al menos 3. Compruebe que plate.json describe esta hoja, que las fotografías no están invertidas y que la mayoría de las marcas están en la imagen.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: en ella se leen %2 marcas de la hoja, muy pocas para una pose; se deja fuera.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten fotografías que muestran muy pocas marcas de la hoja para una pose (%1 y %2 más); compruebe si muestran esta hoja.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la mayoría de las marcas de la hoja están en ella en otro lugar del que indican las demás fotografías; se omite.</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Solo se fotografió un lado: sus %1 escaneos son superficies abiertas sin reverso; están en 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay plate.json, así que no se pueden usar las marcas del plato; copie aquí el que 'ostraka plate' escribió con el plato.</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Su objetivo se estima con las marcas del plato.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se conoce el objetivo de la cámara %1: no hay imágenes útiles del tablero ni marcas del plato; añada imágenes del tablero a 'calib'.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El objetivo de la cámara %1 se estimó solo con las marcas del plato; para medidas exactas, añada 12 imágenes del tablero a 'calib'.</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>Ninguna foto de la cámara %1 muestra dos marcas del plato; se omiten todas sus fotos.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo conocido ya no coincide: la cámara %1 yerra las marcas por %2 px; los lugares de las cámaras se estiman de nuevo para esta tanda, calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ninguna de sus %2 marcas está donde esta cámara las ve en esta parada.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lleva el nombre de otra foto, o se tomó mientras el plato giraba; se omite.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se ve en ella ninguna marca; ¿muestra esta parada? Si no, tómela otra vez.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo %1 fotos del anverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo %1 fotos del reverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 ve menos de seis marcas del plato en la parada %2; revise allí la luz y el enfoque, y que no haya nada sobre las marcas.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo se fotografiaron %1 paradas; tome al menos cuatro en toda la vuelta, para que se encuentre el eje.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se vieron menos de ocho marcas, así que no se pudo reservar ninguna distancia para el control: la escala no está comprobada.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entre las marcas %1 y %2 usted midió %3 mm, según plate.json son %4 mm (%5 %); mida la regla del plato y haga de nuevo plate.json con 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; ¿se tocó entre las fotos, o plate.json es de otro plato?</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>No utilizable: la escala no es correcta.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bien: objetivos, lugares y escala están determinados.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilizable solo para una prueba: el objetivo de la cámara %1 procede solo de las marcas del plato.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilizable, pero una distancia focal no se conoce con más precisión que una milésima.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilizable; lo que se nombra abajo la mejoraría.</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: distancia focal %2 px (%3 %), las marcas del plato con %4 px de mediana.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados, las marcas del plato con %9 px de mediana.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: tome 12 imágenes del tablero, de cerca y de lejos, en todas las esquinas de la imagen, inclinado de 20 a 45 grados en distintas direcciones.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo 1 imagen muestra el tablero; tome al menos 8, mejor 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo %2 imágenes muestran el tablero; tome al menos 8, mejor 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: el tablero apenas llega a estas partes de la imagen: %2; añada imágenes con el tablero allí.</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Error de reproyección %1 px en las marcas del plato.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escala: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escala: las marcas %1 y %2, a mano %3 mm entre los centros de sus bordes exteriores, están a %4 mm en las fotos (%5 %).</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Apartado: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se conoce el objetivo, pero no los lugares de las cámaras: no se puede guardar ningún equipo.</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>No utilizable: la distancia focal no está determinada.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotografíe también el plato con sus marcas: ponga una imagen por cámara y parada en 'front' (cam0_pos00.jpg, etc.) junto a plate.json, y las imágenes del tablero en 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marca %1 de la longitud conocida no se ve dos veces; nombre dos marcas del plato que muestren las fotos.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una longitud conocida necesita dos marcas distintas y milímetros mayores que cero.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esa carpeta no existe; nombre una con fotos del plato o del tablero.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se entienden más de cinco términos de distorsión para '%1'; corrija antes la distorsión de sus fotos.</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>A una imagen le falta file, width, height, K, R o t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo de cámaras no contiene una lista 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 de COLMAP tiene el modelo '%2' o valores que aquí no se pueden usar; use OPENCV.</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>El modelo de COLMAP no tiene cámara para la imagen '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo está dañado o no es como lo escribe COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La línea %1 no es como la escribe COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de esta foto se determina sin su máscara.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sin plate.json las poses vienen de COLMAP, que no está instalado; instale el paquete 'colmap' o fotografíe sobre un plato con marcas.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP encontró la pose de %1 de %2 fotos, muy pocas; dé máscaras o fotografíe sobre un plato con marcas.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La escala no es correcta: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %); compruebe que plate.json es de este plato, que está impreso y pegado con exactitud, y que un equipo conocido se calibró con él.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Respecto a la cámara %1, la cámara %2 se ha movido %3 mm y ha girado %4 grados desde que se calibró el equipo.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se ve en ella el tablero; se aparta.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El diccionario de marcas '%1' no se conoce; use uno como DICT_4X4_100.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El lado de las marcas debe estar entre 5 y 200 mm.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El diámetro del plato debe estar entre 1 y 2000 mm.</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>Marcas de %1 mm no dejan sitio para un fragmento en un plato de %2 mm; haga el plato más grande.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El margen de la impresora debe estar entre 0 y 40 mm.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El solape de las hojas debe estar entre 5 y 40 mm.</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>El diccionario %1 tiene muy pocas marcas para este plato.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que mide la regla debe ser una longitud en mm que quepa en el plato.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La regla de este plato está dibujada con %1 mm, %2 mm se aparta más de una décima parte; imprima el archivo al 100 %, sin 'ajustar a la página', y mida otra vez.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 tiene una covarianza de otro tamaño; calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este equipo lo escribió otra versión; calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 aparece dos veces en el equipo.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es un archivo de equipo (RIG.json); calibre otra vez el equipo.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo no tiene cámara; calíbrelo otra vez.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo ya existe y no es un equipo; nombre otro.</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>No se puede escribir el registro.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede iniciar ningún proceso.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se perdió el programa.</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>No se puede iniciar el programa; instálelo.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 terminó con un error; sus mensajes están en este archivo.</translation>
     </message>
@@ -8769,12 +8769,12 @@
       <translation>La cámara no ha tomado ninguna foto.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP no encuentra cómo encajan estas fotografías; sus mensajes están en este archivo. Compruebe que todas muestran los mismos fragmentos con mucho solape, o fotografíe sobre una placa con marcas.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo ya no está; calcule de nuevo su tanda.</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Este fragmento está anulado.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este fragmento está anulado, porque: %1</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>pared %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una bolsa está en un contexto; escriba primero el contexto.</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>El contexto %1 no tiene ninguna bolsa %2; cambie o vacíe la bolsa al mismo tiempo.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todavía no hay ninguna bolsa %1 en el contexto %2; escríbala en la toma o importe una tabla de contextos que la contenga.</translation>
     </message>
@@ -8849,12 +8849,12 @@
       <translation>Lo que se tomó por labio puede ser una fractura (%1 % de que sea el labio) y el diámetro erróneo; compruebe cómo está orientado el fragmento.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta tanda se está fotografiando; se calculará cuando termine.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten las uniones con fragmentos que la exportación no contiene o que no entraron: %1; anótelas a mano.</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>«%1» se puede leer como %2 o como %3; escriba uno de los dos.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
     </message>
@@ -8879,12 +8879,12 @@
       <translation>%1 se tomó de nuevo después de corregir su máscara; los trazos sobre la fotografía anterior se dejan fuera. Revise su máscara.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten las uniones con filas que no entraron: %1; importe la tabla otra vez cuando esas filas estén corregidas.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 se escribió para un fragmento de %2, que aún no está calculado.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o quítela.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tras el signo = va un número.</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Ya hay un archivo con este nombre; no se sobrescribe.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La exportación indica un lugar del proyecto donde no corresponde un archivo así; no se ha introducido nada.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo histórico contiene un diario de su catálogo, cosa que ninguno de Ostraka contiene; no se ha escrito nada.</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>se modificó una página</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sus páginas no concuerdan</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>el archivo pertenece a otro programa</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>el archivo no contiene ningún catálogo</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>la cabecera se contradice</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>no contiene ningún proyecto</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>No se puede leer el catálogo; compruebe que está ahí y sus permisos.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Este proyecto solo se puede leer y no hay espacio para una copia de lectura; libere espacio en la carpeta de archivos temporales.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Este proyecto es de un Ostraka anterior y aquí solo se puede leer; cópielo en una carpeta en la que pueda escribir y ábralo allí.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>El catálogo está dañado y ninguna de sus copias de seguridad está íntegra; copie una en la carpeta backups, desde un archivo o desde otro disco, y repárelo de nuevo.</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Otro programa tiene abierto este proyecto; ciérrelo allí y repárelo después.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>La tabla necesita una columna con los números de los fragmentos, o columnas de yacimiento y contexto (contextos); indique cuáles son.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>De %1 filas se han introducido %2; la misma importación introduce las demás.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna &apos;%1&apos; dice lo mismo que &apos;%2&apos;; sus valores se guardan en un campo propio.</translation>
     </message>

@@ -1622,7 +1622,7 @@
       <translation>Avant %1, arrière %2</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cet appareil ne montre pas d’image en direct.</translation>
     </message>
@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
@@ -5086,47 +5086,47 @@
       <translation>(%1, %2) mm</translation>
     </message>
     <message>
-      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les tessons n’ont pas pu être comptés : trop peu de marques du plateau sont visibles.</translation>
     </message>
     <message>
-      <source>No sherd is seen on the plate.</source>
+      <source>No sherd is visible on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson n’est visible sur le plateau.</translation>
     </message>
     <message>
-      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des tessons se touchent ou presque à %1 du milieu du plateau : écartez-les et photographiez à nouveau.</translation>
     </message>
     <message>
-      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui se trouve à %1 du milieu du plateau a été compté comme un seul, mais il peut s’agir de deux tessons qui se touchent : regardez ; si oui, écartez-les et photographiez à nouveau.</translation>
     </message>
     <message>
-      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le verso ressemble au recto : retournez les tessons et photographiez-les à nouveau.</translation>
     </message>
     <message>
-      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les tessons du verso n’ont pas pu être comptés : comparez vous-même les images avant de vider le plateau.</translation>
     </message>
     <message>
-      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les tessons du recto n’ont pas pu être comptés : comparez vous-même les images avant de vider le plateau.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le recto montrait %1 tessons, le verso %2 : cherchez celui qui manque avant de vider le plateau.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le recto montrait %1 tessons, le verso %2 : un tesson a-t-il été ajouté, ou s’est-il cassé ?</translation>
     </message>
@@ -5149,7 +5149,7 @@
       <translation>L’appareil n’est pas branché ou pas allumé.</translation>
     </message>
     <message>
-      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil ne répond pas ; est-il en veille ? Désactivez son extinction automatique.</translation>
     </message>
@@ -5159,72 +5159,72 @@
       <translation>L’appareil reste occupé ; éteignez-le et rallumez-le.</translation>
     </message>
     <message>
-      <source>The line to the camera is broken; look at its cable.</source>
+      <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La liaison avec l’appareil est rompue ; regardez son câble.</translation>
     </message>
     <message>
-      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre programme tient l’appareil, souvent le gestionnaire de fichiers ; 'ostraka devices' le nomme.</translation>
     </message>
     <message>
-      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil ne peut pas être ouvert ; cet utilisateur en a-t-il le droit ? Voyez 'ostraka devices'.</translation>
     </message>
     <message>
-      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune photo n’est venue de l’appareil ; est-il mis au point et en mode manuel ?</translation>
     </message>
     <message>
-      <source>The camera does not stop to deliver photographs.</source>
+      <source>The camera does not stop sending photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil ne cesse de livrer des photos.</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cet appareil ne montre pas d’image en direct.</translation>
     </message>
     <message>
-      <source>The turntable does not reach its angle; is it blocked?</source>
+      <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante n’atteint pas son angle ; est-elle bloquée ?</translation>
     </message>
     <message>
-      <source>The turntable was paused at its own button.</source>
+      <source>The turntable was paused with its own button.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante a été mise en pause par son propre bouton.</translation>
     </message>
     <message>
-      <source>The table's position is not known: home it, or align it.</source>
+      <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La position de la table n’est pas connue : remettez-la à zéro ou alignez-la.</translation>
     </message>
     <message>
-      <source>The turntable does not answer in the network.</source>
+      <source>The turntable does not answer on the network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante ne répond pas sur le réseau.</translation>
     </message>
     <message>
-      <source>The controller restarted; the table's position is not known.</source>
+      <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contrôleur a redémarré ; la position de la table n’est pas connue.</translation>
     </message>
     <message>
-      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une réponse de la table s’est perdue et elle ne peut dire où elle est : remettez-la à zéro ou alignez-la.</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table ne répond pas comme un contrôleur GRBL : est-elle allumée, et de ce type ?</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table ne répond pas comme une ComXim : est-elle allumée, et de ce type ?</translation>
     </message>
@@ -5234,7 +5234,7 @@
       <translation>L’USB ne fonctionne pas sur cet ordinateur.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and shoot on.</source>
+      <source>The disk is full; free some space, then continue shooting.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque est plein ; libérez de la place et continuez les prises de vue.</translation>
     </message>
@@ -5244,12 +5244,12 @@
       <translation>Le disque est plein ; libérez de la place et relancez la même chose.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque est plein ; faites de la place, puis réessayez. Rien n’est perdu.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre programme occupe le catalogue ; fermez-le, puis réessayez.</translation>
     </message>
@@ -5259,12 +5259,12 @@
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » n’est pas un type de contexte ; ce peut être layer, cut, fill, structure, surface ou unstratified.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sites et tranchées qui n’existaient pas : %1 ; vérifiez qu’aucun n’est une faute de frappe.</translation>
     </message>
@@ -5304,7 +5304,7 @@
       <translation>Appareil %1 : sa balance des blancs n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun appareil n’explique les images de calibration.</translation>
     </message>
@@ -5319,7 +5319,7 @@
       <translation>Aucun dossier de lot n’a été indiqué.</translation>
     </message>
     <message>
-      <source>The angle is no number.</source>
+      <source>The angle is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’angle n’est pas un nombre.</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>Le réseau a besoin d’une photo en couleurs de 8 bits.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune échelle de dessin n’est indiquée.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un aperçu est annulé.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une archive ne doit pas se trouver dans le projet lui-même.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un projet se restaure dans un dossier nouveau ou vide ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas l’archive d’un projet entier ; lisez-la plutôt comme un export.</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>Le côté d’un marqueur doit être compris entre 0,5 et 1000 mm ; mesurez un carré noir sur le papier.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune feuille portant au moins %1 marqueurs des dictionnaires d’OpenCV n’est lue dans ces %2 photos ; prenez des photos qui en montrent plus, ou indiquez son plate.json.</translation>
     </message>
@@ -5734,32 +5734,32 @@
       <translation>Il faut à la mire 'dictionary', 'squares_x', 'squares_y', 'square_mm' et 'marker_mm'.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’écriture est impossible ici (%1) ; choisissez un autre dossier pour le lot, ou vérifiez ses droits d’accès.</translation>
     </message>
     <message>
-      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fichier de ce nom existe déjà et n’est pas écrasé ; indiquez un autre lot.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
+      <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot a été commencé sur un autre plateau : continuez avec celui-là ou commencez un autre lot.</translation>
     </message>
     <message>
-      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot a été commencé avec %1 appareils et %2 arrêts, pas avec %3 et %4 ; indiquez un autre dossier.</translation>
     </message>
     <message>
-      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La photo a été modifiée depuis la prise de vue ; remettez l’original, ou indiquez un autre dossier pour le lot.</translation>
     </message>
     <message>
-      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette photo n’a pas été prise ici ; indiquez un autre dossier pour le lot.</translation>
     </message>
@@ -5769,12 +5769,12 @@
       <translation>L’appareil %1 ne livre que des fichiers raw ; réglez son format d’image sur JPEG, ou sur les deux.</translation>
     </message>
     <message>
-      <source>%1 is %2, the rig says %3</source>
+      <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 vaut %2, le banc dit %3</translation>
     </message>
     <message>
-      <source>%1 is %2, at the first photograph it was %3</source>
+      <source>%1 is %2, but the first photograph used %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 vaut %2, à la première photo c’était %3</translation>
     </message>
@@ -5789,72 +5789,72 @@
       <translation>La table tournante n’a pas répondu.</translation>
     </message>
     <message>
-      <source>The turntable does not tell where it stands.</source>
+      <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante ne dit pas où elle est.</translation>
     </message>
     <message>
-      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante a refusé une commande (erreur %1) : mauvais type de table, ou câble défectueux.</translation>
     </message>
     <message>
-      <source>The table's speed must be more than 0.</source>
+      <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La vitesse de la table doit être supérieure à 0.</translation>
     </message>
     <message>
-      <source>The line to the turntable is broken (%1).</source>
+      <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La liaison avec la table tournante est rompue (%1).</translation>
     </message>
     <message>
-      <source>is not open</source>
+      <source>it is not open</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>n’est pas ouverte</translation>
     </message>
     <message>
-      <source>takes no more bytes</source>
+      <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>n’accepte plus d’octets</translation>
     </message>
     <message>
-      <source>was closed at the other end</source>
+      <source>it was closed at the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>a été fermée à l’autre bout</translation>
     </message>
     <message>
-      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous n’avez pas le droit d’utiliser ce port série ; installez les règles udev d’Ostraka, ou entrez dans le groupe dialout, et reconnectez-vous.</translation>
     </message>
     <message>
-      <source>The serial port is used by another program; close it.</source>
+      <source>Another program uses the serial port; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le port série est utilisé par un autre programme ; fermez-le.</translation>
     </message>
     <message>
-      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le port série n’est pas là ; la table tournante est-elle branchée et allumée ?</translation>
     </message>
     <message>
-      <source>This is no serial port.</source>
+      <source>Not a serial port.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un port série.</translation>
     </message>
     <message>
-      <source>The serial port does not take its settings.</source>
+      <source>The serial port does not accept its settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le port série n’accepte pas ses réglages.</translation>
     </message>
     <message>
-      <source>The turntable's address is not known in this network.</source>
+      <source>The turntable&apos;s address is unknown on this network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’adresse de la table tournante n’est pas connue sur ce réseau.</translation>
     </message>
     <message>
-      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un port série ne peut pas fonctionner à %1 bauds ; les vitesses usuelles sont 9600 et 115200.</translation>
     </message>
@@ -5864,22 +5864,22 @@
       <translation>Une adresse réseau ressemble à 192.168.0.7:23.</translation>
     </message>
     <message>
-      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le bureau ne lâche pas l’appareil : %1 le tient encore ; fermez sa fenêtre de fichiers et réessayez.</translation>
     </message>
     <message>
-      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <source>A watched folder has no setting %1; set it on the camera.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dossier surveillé n’a pas de réglage %1 ; réglez-le sur l’appareil.</translation>
     </message>
     <message>
-      <source>A watched folder shows no live picture.</source>
+      <source>A watched folder has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dossier surveillé ne montre pas d’image en direct.</translation>
     </message>
     <message>
-      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune nouvelle photo n’est arrivée en %1 secondes ; le logiciel de l’appareil écrit-il dans ce dossier ?</translation>
     </message>
@@ -5889,22 +5889,22 @@
       <translation>Le dossier surveillé ne peut pas être lu (%1).</translation>
     </message>
     <message>
-      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deux photos sont arrivées pour une prise de vue, %1 et %2 ; un appareil par dossier, une photo par arrêt.</translation>
     </message>
     <message>
-      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <source>The camera with this serial number is not plugged in; found: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil portant ce numéro de série n’est pas branché ; il y a : %1.</translation>
     </message>
     <message>
-      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <source>The camera does not offer %1 for %2; it is set to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil n’offre pas %1 pour %2 ; il est sur %3.</translation>
     </message>
     <message>
-      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil garde %1 à %2 au lieu de %3 ; regardez sa molette de mode.</translation>
     </message>
@@ -5919,7 +5919,7 @@
       <translation>L’appareil signale : %1.</translation>
     </message>
     <message>
-      <source>The table has no zero switch.</source>
+      <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table n’a pas d’interrupteur de zéro.</translation>
     </message>
@@ -5934,7 +5934,7 @@
       <translation>Elle ne s’est pas déverrouillée.</translation>
     </message>
     <message>
-      <source>It did not answer when the shutters were to be fired.</source>
+      <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elle n’a pas répondu au moment du déclenchement.</translation>
     </message>
@@ -5944,17 +5944,17 @@
       <translation>La table tournante ne répond pas.</translation>
     </message>
     <message>
-      <source>The turntable does not come to rest.</source>
+      <source>The turntable does not stop moving.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante ne s’arrête pas.</translation>
     </message>
     <message>
-      <source>The turntable does not take its zero.</source>
+      <source>The turntable does not accept its zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante n’accepte pas son zéro.</translation>
     </message>
     <message>
-      <source>The controller counts from anew; the table's position is not known.</source>
+      <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contrôleur recompte depuis le début ; la position de la table n’est pas connue.</translation>
     </message>
@@ -5974,72 +5974,72 @@
       <translation>La sortie du déclencheur doit être M8, M7, M3 ou M62 Pn.</translation>
     </message>
     <message>
-      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table a été arrêtée en mouvement et sa position est perdue : alignez le repère de zéro (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contrôleur de la table dit que la rotation dépasse sa course : désactivez $20 (ALARM:%1).</translation>
     </message>
     <message>
-      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La remise à zéro a échoué : regardez l’interrupteur de zéro et son câble (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contrôleur de la table a déclenché une alarme (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contrôleur ne comprend pas la commande : mauvais type de contrôleur, ou câble défectueux (error:%1).</translation>
     </message>
     <message>
-      <source>The table has no zero switch (error:%1).</source>
+      <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table n’a pas d’interrupteur de zéro (error:%1).</translation>
     </message>
     <message>
-      <source>The table is still moving (error:%1).</source>
+      <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table bouge encore (error:%1).</translation>
     </message>
     <message>
-      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table est verrouillée : remettez-la à zéro ou déverrouillez-la (error:%1).</translation>
     </message>
     <message>
-      <source>The table's controller refused a command (error:%1).</source>
+      <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contrôleur de la table a refusé une commande (error:%1).</translation>
     </message>
     <message>
-      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tournez la table dans le sens antihoraire jusqu’à %1 degrés, et retirez la main.</translation>
     </message>
     <message>
-      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas une liste de photos d’Ostraka ; indiquez un autre dossier pour le lot.</translation>
     </message>
     <message>
-      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le pilote %1 de la table tournante n’est pas connu ; il y a : grbl, comxim1, comxim2, text, hand.</translation>
     </message>
     <message>
-      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <source>The camera driver %1 is unknown; available: folder, gphoto2, uvc.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le pilote d’appareil %1 n’est pas connu ; il y a : folder, gphoto2, uvc.</translation>
     </message>
     <message>
-      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc n’indique aucun matériel ; 'ostraka devices' dit ce qui est branché et comment l’y inscrire.</translation>
     </message>
@@ -6054,12 +6054,12 @@
       <translation>settle_s et speed_deg_s doivent être positifs.</translation>
     </message>
     <message>
-      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La partie 'devices' est illisible ; comparez-la avec le chapitre du README sur le matériel.</translation>
     </message>
     <message>
-      <source>The number of stops must lie between 3 and 99.</source>
+      <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nombre d’arrêts doit être compris entre 3 et 99.</translation>
     </message>
@@ -6069,32 +6069,32 @@
       <translation>Le banc n’a pas d’appareil ou pas de table tournante.</translation>
     </message>
     <message>
-      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de prise %1 à refaire : cette face a les arrêts 1 à %2 et les appareils A à %3.</translation>
     </message>
     <message>
-      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 de ce lot était %2, celui d’ici est %3 ; continuez avec les appareils du début, ou indiquez un autre dossier.</translation>
     </message>
     <message>
-      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La position de la table n’est pas connue : tournez son repère de zéro vers l’avant et fixez le zéro.</translation>
     </message>
     <message>
-      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1, arrêt %2 : échec %3 fois : %4.</translation>
     </message>
     <message>
-      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 ne livre que des photos antérieures ou abîmées ; éteignez-le et rallumez-le.</translation>
     </message>
     <message>
-      <source>The turntable does not answer as a %1; is it another one?</source>
+      <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante ne répond pas comme un %1 ; est-ce une autre ?</translation>
     </message>
@@ -6109,52 +6109,52 @@
       <translation>contrôleur à texte</translation>
     </message>
     <message>
-      <source>This table has no zero switch: align it by eye.</source>
+      <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette table n’a pas d’interrupteur de zéro : alignez-la à l’œil.</translation>
     </message>
     <message>
-      <source>The turntable refuses: %1.</source>
+      <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante refuse : %1.</translation>
     </message>
     <message>
-      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <source>The turntable is at %1 degrees instead of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante est à %1 degrés au lieu de %2.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots de la table tournante : 'move' doit contenir {target} ou {by}.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots de la table tournante : 'accepted' doit dire comment elle répond.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots de la table tournante : 'query' et 'position' vont ensemble.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots de la table tournante : 'reply_s' doit être supérieur à 0.</translation>
     </message>
     <message>
-      <source>The turntable's words: '%1' is no regular expression.</source>
+      <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots de la table tournante : '%1' n’est pas une expression rationnelle.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mots de la table tournante : il faut à 'position' un groupe pour l’angle.</translation>
     </message>
     <message>
-      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'dialect' de la table tournante doit être "marlin" ou ses mots.</translation>
     </message>
@@ -6169,17 +6169,17 @@
       <translation>La table tournante a été débranchée.</translation>
     </message>
     <message>
-      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La liaison USB de la table tournante a failli (%1) ; rebranchez-la.</translation>
     </message>
     <message>
-      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <source>You have no permission to use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous n’avez pas le droit d’utiliser ce périphérique USB ; installez packaging/udev/70-ostraka.rules et rebranchez-le.</translation>
     </message>
     <message>
-      <source>The turntable is used by another program; close it.</source>
+      <source>Another program uses the turntable; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante est utilisée par un autre programme ; fermez-le.</translation>
     </message>
@@ -6189,22 +6189,22 @@
       <translation>La table tournante ne peut pas être ouverte (%1).</translation>
     </message>
     <message>
-      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <source>This USB device is not a serial controller (CDC-ACM).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce périphérique USB n’est pas un contrôleur série (CDC-ACM).</translation>
     </message>
     <message>
-      <source>The turntable of this serial number is not plugged in.</source>
+      <source>The turntable with this serial number is not plugged in.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante portant ce numéro de série n’est pas branchée.</translation>
     </message>
     <message>
-      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <source>A USB turntable is named by vendor and product, for example usb:1209:0001.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une table tournante USB se désigne par fabricant et produit, comme usb:1209:0001.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La caméra vidéo ne peut pas être ouverte : est-elle branchée, et aucun autre programme ne l’utilise-t-il ?</translation>
     </message>
@@ -6229,17 +6229,17 @@
       <translation>Elle n’est pas ouverte.</translation>
     </message>
     <message>
-      <source>The video camera gives no pictures any more.</source>
+      <source>The video camera no longer delivers pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La caméra vidéo ne donne plus d’images.</translation>
     </message>
     <message>
-      <source>The video camera has taken no picture.</source>
+      <source>The video camera took no picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La caméra vidéo n’a pris aucune image.</translation>
     </message>
     <message>
-      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La caméra vidéo donne des images de %1x%2 pixels, pas de la taille réglée.</translation>
     </message>
@@ -6249,47 +6249,47 @@
       <translation>La caméra vidéo doit être indiquée.</translation>
     </message>
     <message>
-      <source>the file is cut off or no picture</source>
+      <source>the file is truncated or not a picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>le fichier est tronqué ou n’est pas une image</translation>
     </message>
     <message>
-      <source>the markers show another angle than this stop's</source>
+      <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>les marques montrent un autre angle que celui de cet arrêt</translation>
     </message>
     <message>
-      <source>the picture has another size than the camera's others</source>
+      <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>l’image a une autre taille que les autres de cet appareil</translation>
     </message>
     <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>trop peu de marques sont visibles pour reconnaître l’arrêt : quelque chose est-il devant, est-ce flou ?</translation>
     </message>
     <message>
-      <source>the camera handed over an earlier photograph once more</source>
+      <source>the camera delivered an earlier photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>l’appareil a livré une photo précédente une seconde fois</translation>
     </message>
     <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
+      <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>trop peu de marques du plateau sont visibles : quelque chose est-il devant ?</translation>
     </message>
     <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
+      <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>elle est floue : la table bougeait-elle encore, la mise au point a-t-elle changé ?</translation>
     </message>
     <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
+      <source>the sherds are too dark: add light or increase the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>les tessons sont trop sombres : donnez plus de lumière ou posez plus longtemps</translation>
     </message>
     <message>
-      <source>the sherds are burnt out: expose shorter</source>
+      <source>the sherds are overexposed: reduce the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>les tessons sont surexposés : posez moins longtemps</translation>
     </message>
@@ -6299,12 +6299,12 @@
       <translation>le bord de l’image coupe un tesson : déplacez-le, ou l’appareil</translation>
     </message>
     <message>
-      <source>the camera's settings are others than they were: set them back</source>
+      <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>les réglages de l’appareil ne sont plus les mêmes : rétablissez-les</translation>
     </message>
     <message>
-      <source>%1: set it back</source>
+      <source>%1: restore it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : rétablissez-le</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>L’uuid d’un lot est mal formé.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un lot %1.</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Ce lot n’est pas dans le catalogue.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le code du projet doit avoir 2 à 8 majuscules ou chiffres, comme ARM.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un terme d’un vocabulaire doit avoir des lettres et pas de ';'.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le terme '%1' figure deux fois dans le vocabulaire.</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>Tessons avec le terme « %1 » : %2 ; modifiez-les d’abord.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>une ligne de %1 ne renvoie à rien</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>les tables des tessons ne concordent pas</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la recherche ne connaît pas tous les tessons</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La sauvegarde ne contient pas ce qui a été enregistré ; réessayez.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue ne peut pas être ouvert ; vérifiez que le dossier existe et qu’on peut y écrire.</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>On ne peut pas écrire dans le catalogue ; vérifiez les droits d’accès du dossier.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le disque ne répond pas correctement ; vérifiez-le, puis rouvrez le projet.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue n’accepte pas cela (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation n’est pas une face avant de ce lot.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation n’est pas une face arrière de ce lot.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sa face avant n’a plus de face arrière</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une paire a une face avant et une face arrière.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision à annuler n’est pas dans ce lot.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une décision nomme une face avant, une face arrière, ou les deux.</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>L’uuid d’une décision est mal formé.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier n’est pas dans le dossier du projet.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est une ébauche d’après des photos plus grossières ; recalculez le lot pour des mesures définitives.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce ne sont pas des résultats complets de 'ostraka process' ; relancez-le.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table des paires nomme la numérisation %1, qui n’existe pas ; relancez 'ostraka process'.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce lot n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette photo n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette numérisation n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette personne n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce site n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette tranchée n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce contexte n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce sac n’est plus dans le catalogue.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre ouvre un guillemet et ne le ferme pas.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est qu’une partie de l’étiquette d’un tesson ; relisez son code.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre ne connaît pas de champ '%1' ; mettez le mot entre guillemets pour le chercher tel quel.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seules les mesures se comparent avec &lt; et &gt; ; écrivez %1:value.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre n’est pas un texte lisible.</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>Il n’y a pas de champ '%1'.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Certaines des modifications restent, car elles n’ont pas pu être annulées : %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>Il n’y a pas de mesure de ce genre.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une mesure n’est jamais inférieure à 0.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce projet a été créé avec un Ostraka plus récent (catalogue version %1, ce programme connaît %2) ; installez-le, rien n’a été modifié.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérotation ne peut pas contenir le caractère '%1' ; entre les jetons sont permis lettres, chiffres, '.', '_', '/' et '-'.</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>La numérotation ouvre un jeton avec { et ne le ferme pas avec }.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérotation n’a pas de jeton {%1} ; il y a site, trench, context, bag, batch, yyyy, yy et n.</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>La largeur de {%1} doit s’écrire comme :04, avec 12 chiffres au plus.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deux jetons se touchent ; mettez un '-' ou un autre signe entre {%1} et {%2}.</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>Le numéro demande le lot du tesson, qui n’est pas enregistré.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le site %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tranchée %1 contient le signe '%2' qui est à côté d’elle dans le numéro.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le sac %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a déjà été donné ; les numéros ne resservent jamais.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le bloc de numéros jusqu’à %1 est épuisé ; donnez à cet ordinateur un nouveau bloc dans les réglages.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une décision demande le nom de la personne qui la prend.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>On joint deux morceaux ou plus.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>On coupe un seul morceau.</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>Le numéro d’un sac ne doit pas être vide.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nom d’une personne est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les initiales de la personne sont trop longues ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le code d’un site est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le code d’une tranchée est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro d’un contexte est trop long ; 200 lettres au plus.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro d’un sac est trop long ; 200 lettres au plus.</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>L’uuid est mal formé.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les initiales %1 sont déjà celles d’une autre personne.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La latitude est comprise entre -90 et 90 degrés.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La longitude est comprise entre -180 et 180 degrés.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un site %1.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une tranchée appartient à un site.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une tranchée ne peut pas se trouver en elle-même.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà une tranchée %1 dans ce site.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un contexte appartient à un site.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tranchée appartient à un autre site que le contexte.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un contexte %1 à cet endroit.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un sac appartient à un contexte.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le poids d’un sac est supérieur à 0 g.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nombre n’est jamais inférieur à 0.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un sac %1 dans ce contexte.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier est sur un partage réseau (%1), où les catalogues s’abîment ; prenez un dossier sur le disque de cet ordinateur et copiez les sauvegardes sur le partage.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’est pas un projet Ostraka : il ne contient pas catalogue.sqlite.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nouveau projet demande un dossier nouveau ou vide ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier ne peut pas être créé ; choisissez un endroit où vous pouvez écrire.</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Un uuid de l’exportation est mal formé.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision est enregistrée avec le lot, mais %1 n’est pas encore dans le catalogue ; elle sera inscrite avec les prochains résultats.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le champ %1 vient du programme.</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Un tesson annulé garde son numéro.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un numéro ne contient ni saut de ligne, ni tabulation, ni '%'.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un numéro a 120 caractères au plus.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 serait donné deux fois.</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>Les fichiers de %1 auraient les mêmes noms que ceux de %2.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a déjà été donné et ne resservira jamais.</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>Le numéro %1 est celui d’un autre tesson.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' n’est pas un terme du vocabulaire '%2' ; choisissez-en un autre, ou ajoutez-le dans les réglages.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui suit le signe ± est supérieur à 0, ou 0 si aucune incertitude n’est connue.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une mesure est supérieure à 0.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson ne dépasse 1000 mm ; est-ce en millimètres ?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun tesson ne pèse plus de 20 kg ; est-ce en grammes ?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une part est de 100 % au plus.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de tesson %1 avec lequel il pourrait remonter.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson ne remonte pas avec lui-même.</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Un tesson numéroté a besoin de son contexte.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson reçoit un numéro quand son contexte est connu.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le tableau ne peut pas être trié par '%1'.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson n’est plus dans le catalogue.</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>L’uuid d’un tesson est mal formé.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un tesson avec cet uuid.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson est annulé pour une raison ; dites laquelle.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 figure sur deux tessons de ce plateau.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 est déjà celui d’un autre tesson.</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>Le texte dépasse 1 Mo.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le texte n’est pas de l’UTF-8 valide, ou contient un octet nul.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un jour s’écrit 2026-07-14 (année-mois-jour).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une datation s’écrit en EDTF, comme -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une couleur Munsell s’écrit 10YR 3/1 ou N 4/.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' n’est pas un nombre ; écrivez 12.5 ou 12,5, sans unité.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' n’est pas un chemin dans le projet ; il doit être relatif, avec '/' et sans '..'.</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Un dessin demande un modèle fermé ; créez-le avec 'ostraka process'.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le manifeste manque ; ce n’est pas une exportation d’Ostraka.</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>L’écriture est impossible ici ; vérifiez la place restante et les droits d’accès.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nom dans une exportation ne doit pas contenir '%'.</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Deux fichiers de l’exportation auraient le même nom.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Quelqu’un a créé entre-temps un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’est pas une exportation d’Ostraka : bagit.txt manque.</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Ce fichier manque ; rien n’a été lu.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier a été modifié après l’exportation ; rien n’a été lu.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de contexte %1 ; créez-le, ou laissez l’importation le créer.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de sac %1 ; créez-le, ou laissez l’importation le créer.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne closed prend yes ou no.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne count_written prend un nombre entier.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne a %1 valeurs, l’en-tête %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne '%1' n’est pas connue ; ses valeurs sont gardées comme un champ à vous.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier n’est pas du texte : il contient des données binaires, ce qu’aucun tableau n’a.</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>Le tableau a plus de 1 000 000 de lignes ; divisez-le.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne %1 ouvre un guillemet qui n’est jamais fermé.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne %1 a des lettres après un guillemet fermant.</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>Le tableau est vide ; sa première ligne doit nommer les colonnes.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce tesson n’a pas encore de modèle et ne peut donc pas être dessiné ; calculez d’abord son lot.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les mesures de son lot sont douteuses : la taille de ce dessin aussi.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il est dit que c’est un bord, mais aucune partie de son contour ne peut en être un ; dessiné sans.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n’est pas là et a été laissé de côté.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n’est pas la photo qui a été inscrite ; vérifiez-la.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle ou cette image du tesson %1 n'est pas celui qui a été inscrit ; recalculez son lot %2.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est exporté en entier : %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>Pas d’images avec masques et poses de %1 : %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a aucun tesson à exporter ; choisissez-en d’abord.</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>La ligne n’a ni numéro ni uuid.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cela figure dans deux lignes du tableau.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un uuid.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro et l’uuid sont ceux de deux tessons différents.</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Une colonne du tableau n’a pas de nom.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne '%1' figure deux fois.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces lieux et ces lots ne sont pas écrits comme Ostraka les écrit.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier PLY.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier GLB.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette exportation ne contient pas de fiches (JSON) de tessons ; exportez-la à nouveau avec elles.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet a ce tesson avec d’autres valeurs ; elles restent, et ce qui diffère est gardé à côté dans des champs finissant par _in_%1.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier n’est pas parmi les fichiers de l’exportation.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet a un autre fichier de ce nom ; renommez l’exportation, et importez-la à nouveau.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas la fiche d’un tesson (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesure %1 a une autre unité que %2.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une valeur de la fiche n’est pas du type voulu.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est trop grand pour un seul fichier ZIP ; choisissez moins de tessons.</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec son bord.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la mire ne se voit pas ; cette image est laissée de côté.</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Une grille de marques demande 'dictionary', 'markers_x', 'markers_y', 'marker_length' et 'marker_separation'.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas d’images de la mire ; mettez-les ici, ou dans 'calib'.</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Elle est mise de côté.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : sa taille n’est pas celle de la première ; elle est mise de côté.</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>L’ajustement du banc n’a pas abouti ; vérifiez que plate.json et board.json décrivent ce qui a été photographié.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y est pas dit comment les feuilles sont courbées ; supprimez ce fichier, elles seront mesurées à nouveau.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il ne dit pas sur quoi reposent les tessons ; supprimez-le, et cela sera déterminé à nouveau.</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Les marques de la feuille se lisent sur %1 des %2 photographies du côté %3 ; il en faut au moins 3. Vérifiez que plate.json décrit cette feuille, que les photographies ne sont pas inversées et que la plupart des marques sont dans l’image.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; elle est laissée de côté.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des photographies montrant trop peu de marques de la feuille pour une pose sont laissées de côté (%1 et %2 autres) ; vérifiez qu’elles montrent cette feuille.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la plupart des marques de la feuille s’y trouvent ailleurs que ne le disent les autres photographies ; elle est laissée de côté.</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Un seul côté a été photographié : ses %1 scans sont des surfaces ouvertes sans revers ; ils sont dans 'unpaired'.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de plate.json, les marques du plateau ne peuvent donc pas servir ; copiez ici celui que 'ostraka plate' a écrit avec le plateau.</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Son objectif est estimé d’après les marques du plateau.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’objectif de l’appareil %1 n’est pas connu : il n’y a ni images utilisables de la mire ni marques du plateau ; ajoutez des images de la mire à 'calib'.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’objectif de l’appareil %1 a été estimé d’après les seules marques du plateau ; pour des mesures exactes, ajoutez 12 images de la mire à 'calib'.</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>Aucune photo de l’appareil %1 ne montre deux marques du plateau ; toutes ses photos sont laissées de côté.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc connu ne convient plus : l’appareil %1 manque les marques de %2 px ; les places des appareils sont estimées à nouveau pour ce lot, calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : aucune de ses %2 marques n’est là où cet appareil les voit à cet arrêt.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elle porte le nom d’une autre photo, ou a été prise pendant que le plateau tournait ; elle est laissée de côté.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : aucune marque ne s’y voit ; montre-t-elle cet arrêt ? Sinon, reprenez-la.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seules %1 photos de la face avant ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seules %1 photos de la face arrière ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 voit moins de six marques du plateau à l’arrêt %2 ; vérifiez-y la lumière et la mise au point, et que rien n’est posé sur les marques.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seuls %1 arrêts ont été photographiés ; prenez-en au moins quatre sur tout le tour, pour que l’axe soit trouvé.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Moins de huit marques ont été vues, aucune distance n’a donc pu être gardée pour le contrôle : l’échelle n’est pas vérifiée.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entre les marques %1 et %2 vous avez mesuré %3 mm, plate.json donne %4 mm (%5 %) ; mesurez la règle du plateau et refaites plate.json avec 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; a-t-il été touché entre les photos, ou plate.json est-il d’un autre plateau ?</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>Inutilisable : l’échelle n’est pas juste.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bon : objectifs, places et échelle sont déterminés.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilisable pour un essai seulement : l’objectif de l’appareil %1 vient des seules marques du plateau.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilisable, mais une distance focale n’est pas connue à mieux qu’un millième.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utilisable ; ce qui est nommé ci-dessous l’améliorerait.</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : distance focale %2 px (%3 %), les marques du plateau à %4 px en médiane.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés, les marques du plateau à %9 px en médiane.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : prenez 12 images de la mire, de près et de loin, dans tous les coins de l’image, inclinée de 20 à 45 degrés dans différentes directions.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : une seule image montre la mire ; prenez-en au moins 8, mieux 12.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : seules %2 images montrent la mire ; prenez-en au moins 8, mieux 12.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la mire atteint à peine ces parties de l’image : %2 ; ajoutez des images avec la mire à cet endroit.</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Erreur de reprojection %1 px sur les marques du plateau.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Échelle : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Échelle : les marques %1 et %2, à %3 mm à la main entre les milieux de leurs bords extérieurs, sont à %4 mm sur les photos (%5 %).</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Mis de côté : %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’objectif est connu, les places des appareils ne le sont pas : aucun banc ne peut être enregistré.</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>Inutilisable : la distance focale n’est pas déterminée.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photographiez aussi le plateau avec ses marques : mettez une image par appareil et par arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) à côté de plate.json, les images de la mire dans 'calib'.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marque %1 de la longueur connue n’est pas vue deux fois ; nommez deux marques du plateau que les photos montrent.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une longueur connue demande deux marques différentes et des millimètres supérieurs à zéro.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’existe pas ; nommez-en un avec des photos du plateau ou de la mire.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plus de cinq termes de distorsion pour '%1' ne sont pas compris ; corrigez d’abord la distorsion de ses photos.</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>Il manque à une image file, width, height, K, R ou t (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier des appareils ne contient pas de liste 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 de COLMAP a le modèle '%2' ou des valeurs inutilisables ici ; prenez plutôt OPENCV.</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>Le modèle de COLMAP n’a pas d’appareil pour l’image '%1'.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier est abîmé ou n’est pas tel que COLMAP l’écrit ; relancez COLMAP.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La ligne %1 n’est pas telle que COLMAP l’écrit ; relancez COLMAP.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de cette photo est déterminée sans son masque.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sans plate.json les poses viennent de COLMAP, qui n’est pas installé ; installez le paquet 'colmap' ou photographiez sur un plateau à marques.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP a trouvé la pose de %1 photos sur %2, trop peu ; donnez des masques ou photographiez sur un plateau à marques.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’échelle n’est pas juste : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %) ; vérifiez que plate.json est bien celui de ce plateau, qu’il est imprimé et collé fidèlement, et qu’un banc connu a été calibré avec lui.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Par rapport à l’appareil %1, l’appareil %2 s’est déplacé de %3 mm et a tourné de %4 degrés depuis la calibration du banc.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la mire ne s’y voit pas ; elle est mise de côté.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dictionnaire de marques '%1' n’est pas connu ; prenez-en un comme DICT_4X4_100.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le côté des marques doit être compris entre 5 et 200 mm.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le diamètre du plateau doit être compris entre 1 et 2000 mm.</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>Des marques de %1 mm ne laissent pas de place pour un tesson sur un plateau de %2 mm ; agrandissez le plateau.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La marge de l’imprimante doit être comprise entre 0 et 40 mm.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le recouvrement des feuilles doit être compris entre 5 et 40 mm.</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>Le dictionnaire %1 a trop peu de marques pour ce plateau.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce que mesure la règle doit être une longueur en mm qui tient sur le plateau.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La règle de ce plateau est dessinée longue de %1 mm, %2 mm s’en écarte de plus d’un dixième ; imprimez le fichier à 100 %, sans 'ajuster à la page', et mesurez de nouveau.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 a une covariance d’une autre taille ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce banc a été écrit par une autre version ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 figure deux fois dans le banc.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier de banc (RIG.json) ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc n’a pas d’appareil ; calibrez-le de nouveau.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier existe déjà et n’est pas un banc ; nommez-en un autre.</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>Le journal ne peut pas être écrit.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun processus ne peut être lancé.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le programme a été perdu.</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>Le programme ne peut pas être lancé ; installez-le.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 s’est terminé par une erreur ; ses messages sont dans ce fichier.</translation>
     </message>
@@ -8769,12 +8769,12 @@
       <translation>L’appareil n’a pris aucune photo.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP ne trouve pas comment ces photographies vont ensemble ; ses messages sont dans ce fichier. Vérifiez que toutes montrent les mêmes tessons avec un large recouvrement, ou photographiez sur un plateau à repères.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle n'est plus là ; recalculez son lot.</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Ce tesson est annulé.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce tesson est annulé, parce que : %1</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>paroi %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un sac appartient à un contexte ; entrez d’abord le contexte.</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>Le contexte %1 n’a pas de sac %2 ; changez ou videz le sac en même temps.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas encore de sac %1 dans le contexte %2 ; tapez-le à la prise de vue, ou importez une table de contextes qui le contient.</translation>
     </message>
@@ -8849,12 +8849,12 @@
       <translation>Ce qui a été pris pour la lèvre peut être une cassure (%1 % que ce soit la lèvre), et le diamètre faux ; vérifiez l'orientation du tesson.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce lot est en train d'être photographié ; il sera calculé quand ce sera fini.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les remontages avec des tessons que l’exportation ne contient pas ou qui ne sont pas entrés sont omis : %1 ; saisissez-les à la main.</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>« %1 » peut se lire %2 ou %3 ; écrivez l’un des deux.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
     </message>
@@ -8879,12 +8879,12 @@
       <translation>%1 a été reprise après la retouche de son masque ; les traits sur la photographie précédente sont laissés de côté. Regardez son masque.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les remontages avec des lignes qui ne sont pas entrées sont omis : %1 ; importez de nouveau le tableau quand ces lignes seront corrigées.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore calculé.</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou retirez-la.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le signe = est suivi d&apos;un numéro.</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Un fichier de ce nom existe déjà ; il n&apos;est pas écrasé.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;export nomme un endroit du projet où un tel fichier n&apos;a pas sa place ; rien n&apos;a été enregistré.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>une page a été modifiée</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ses pages ne concordent pas</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>le fichier appartient à un autre programme</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>le fichier ne contient pas de catalogue</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>l’en-tête se contredit</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>il ne contient pas de projet</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue ne peut pas être lu ; vérifiez qu’il est présent, ainsi que ses droits d’accès.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ce projet est en lecture seule et la place manque pour une copie de lecture ; libérez de la place dans le dossier des fichiers temporaires.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ce projet vient d’une version antérieure d’Ostraka et ne peut être que lu ici ; copiez-le dans un dossier où vous pouvez écrire et ouvrez-le là.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue est endommagé et aucune de ses sauvegardes n’est entière ; copiez-en une dans le dossier backups, depuis une archive ou un autre disque, puis réparez-le à nouveau.</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Un autre programme a ce projet ouvert ; fermez-le là, puis réparez-le.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; indiquez lesquelles.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sur %1 lignes, %2 sont enregistrées ; la même importation enregistre les autres.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne &apos;%1&apos; dit la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ à vous.</translation>
     </message>

@@ -1622,7 +1622,7 @@
       <translation>Առջև %1, հետև %2</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեսախցիկը կենդանի պատկեր չի ցույց տալիս։</translation>
     </message>
@@ -2261,7 +2261,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
@@ -5086,47 +5086,47 @@
       <translation>(%1, %2) մմ</translation>
     </message>
     <message>
-      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորները հնարավոր չեղավ հաշվել. սկավառակի շատ քիչ նշիչ է երևում։</translation>
     </message>
     <message>
-      <source>No sherd is seen on the plate.</source>
+      <source>No sherd is visible on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի վրա ոչ մի բեկոր չի երևում։</translation>
     </message>
     <message>
-      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորները դիպչում են կամ գրեթե դիպչում են %1 սկավառակի կենտրոնից. հեռացրեք դրանք իրարից և նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն, ինչ ընկած է %1 սկավառակի կենտրոնից, հաշվվել է որպես մեկ, բայց կարող է լինել իրար դիպչող երկու բեկոր. նայեք այնտեղ. եթե այդպես է, հեռացրեք դրանք իրարից և նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հակառակ կողմը նման է առջևի կողմին. շրջեք բեկորները և նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հակառակ կողմի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ ինքներդ համեմատեք պատկերները։</translation>
     </message>
     <message>
-      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի կողմի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ ինքներդ համեմատեք պատկերները։</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. սկավառակը դատարկելուց առաջ փնտրեք պակասողը։</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
     </message>
@@ -5149,7 +5149,7 @@
       <translation>Տեսախցիկը միացված չէ մալուխով կամ անջատված է։</translation>
     </message>
     <message>
-      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը չի պատասխանում. քնա՞ծ է։ Անջատեք դրա ինքնաանջատումը։</translation>
     </message>
@@ -5159,72 +5159,72 @@
       <translation>Տեսախցիկը շարունակում է զբաղված մնալ. անջատեք և միացրեք։</translation>
     </message>
     <message>
-      <source>The line to the camera is broken; look at its cable.</source>
+      <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կապը տեսախցիկի հետ ընդհատված է. ստուգեք դրա մալուխը։</translation>
     </message>
     <message>
-      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը զբաղեցրել է այլ ծրագիր, հաճախ՝ ֆայլերի կառավարիչը. 'ostraka devices'-ը նշում է այն։</translation>
     </message>
     <message>
-      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը չի բացվում. այս օգտատերը կարո՞ղ է օգտվել դրանից։ Տե՛ս 'ostraka devices'։</translation>
     </message>
     <message>
-      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկից լուսանկար չեկավ. ֆոկուսն ու ձեռքի ռեժիմը կարգավորվա՞ծ են։</translation>
     </message>
     <message>
-      <source>The camera does not stop to deliver photographs.</source>
+      <source>The camera does not stop sending photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը չի դադարում լուսանկարներ տալ։</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեսախցիկը կենդանի պատկեր չի ցուցադրում։</translation>
     </message>
     <message>
-      <source>The turntable does not reach its angle; is it blocked?</source>
+      <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը չի հասնում իր անկյանը. արգելափակվա՞ծ է։</translation>
     </message>
     <message>
-      <source>The turntable was paused at its own button.</source>
+      <source>The turntable was paused with its own button.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը դադարեցվել է իր սեփական կոճակով։</translation>
     </message>
     <message>
-      <source>The table's position is not known: home it, or align it.</source>
+      <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի դիրքը հայտնի չէ. զրոյացրեք կամ հավասարեցրեք այն։</translation>
     </message>
     <message>
-      <source>The turntable does not answer in the network.</source>
+      <source>The turntable does not answer on the network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը ցանցում չի պատասխանում։</translation>
     </message>
     <message>
-      <source>The controller restarted; the table's position is not known.</source>
+      <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կարգավորիչը վերագործարկվել է. սեղանի դիրքը հայտնի չէ։</translation>
     </message>
     <message>
-      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի պատասխանը կորավ, և այն չի կարող ասել՝ որտեղ է. զրոյացրեք կամ հավասարեցրեք այն։</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը չի պատասխանում որպես GRBL կարգավորիչ. միացվա՞ծ է և այս տեսակի՞ն է։</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը չի պատասխանում որպես ComXim. միացվա՞ծ է և այս տեսակի՞ն է։</translation>
     </message>
@@ -5234,7 +5234,7 @@
       <translation>USB-ն այս համակարգչում չի աշխատում։</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and shoot on.</source>
+      <source>The disk is full; free some space, then continue shooting.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը լի է. տեղ ազատեք և շարունակեք նկարահանումը։</translation>
     </message>
@@ -5244,12 +5244,12 @@
       <translation>Սկավառակը լի է. տեղ ազատեք և նորից սկսեք նույնը։</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակը լի է. տեղ ազատեք և նորից փորձեք։ Ոչինչ չի կորել։</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ այլ ծրագիր զբաղեցրել է կատալոգը. փակեք այն և նորից փորձեք։</translation>
     </message>
@@ -5259,12 +5259,12 @@
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը համատեքստի տեսակ չէ. այն կարող է լինել layer, cut, fill, structure, surface կամ unstratified։</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձաններ և խրամատներ, որոնք չկային. %1. ստուգեք, որ դրանցից ոչ մեկը վրիպակ չլինի։</translation>
     </message>
@@ -5304,7 +5304,7 @@
       <translation>Տեսախցիկ %1. սպիտակի հաշվեկշիռը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի տեսախցիկ չի բացատրում տրամաչափման նկարները։</translation>
     </message>
@@ -5319,7 +5319,7 @@
       <translation>Խմբաքանակի պանակ չի տրվել։</translation>
     </message>
     <message>
-      <source>The angle is no number.</source>
+      <source>The angle is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անկյունը թիվ չէ։</translation>
     </message>
@@ -5359,27 +5359,27 @@
       <translation>Ցանցին պետք է 8 բիթանոց գունավոր լուսանկար։</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծագրի մասշտաբը տրված չէ։</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախադիտումը հետ է վերցվում։</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արխիվը չպետք է գտնվի հենց նախագծի մեջ։</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագիծը վերականգնվում է նոր կամ դատարկ պանակում. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա ամբողջ նախագծի արխիվ չէ. կարդացեք այն որպես արտահանում։</translation>
     </message>
@@ -5569,7 +5569,7 @@
       <translation>Նշիչի կողմը պետք է լինի 0,5-ից 1000 մմ. չափեք թղթի վրայի սև քառակուսին։</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս %2 լուսանկարներում չի կարդացվում OpenCV-ի բառարանների առնվազն %1 նշիչով թերթ. արեք լուսանկարներ, որոնք այն ավելի են ցույց տալիս, կամ նշեք դրա plate.json-ը։</translation>
     </message>
@@ -5734,32 +5734,32 @@
       <translation>Տրամաչափման տախտակին պետք են 'dictionary', 'squares_x', 'squares_y', 'square_mm' և 'marker_mm'։</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ հնարավոր չէ գրել (%1). խմբաքանակի համար ընտրեք այլ պանակ կամ ստուգեք թույլտվությունները։</translation>
     </message>
     <message>
-      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով ֆայլ արդեն կա և չի վերագրվում. նշեք այլ խմբաքանակ։</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
+      <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակը սկսվել է այլ սկավառակով. շարունակեք դրանով կամ սկսեք այլ խմբաքանակ։</translation>
     </message>
     <message>
-      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակը սկսվել է %1 տեսախցիկով և %2 կանգառով, ոչ թե %3-ով և %4-ով. նշեք այլ պանակ։</translation>
     </message>
     <message>
-      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարը փոխվել է նկարելուց հետո. վերադարձրեք սկզբնականը կամ խմբաքանակի համար նշեք այլ պանակ։</translation>
     </message>
     <message>
-      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարն այստեղ չի արվել. խմբաքանակի համար նշեք այլ պանակ։</translation>
     </message>
@@ -5769,12 +5769,12 @@
       <translation>%1 տեսախցիկը տալիս է միայն raw ֆայլեր. պատկերի ձևաչափը դրեք JPEG կամ երկուսն էլ։</translation>
     </message>
     <message>
-      <source>%1 is %2, the rig says %3</source>
+      <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը %2 է, սարքակազմն ասում է՝ %3</translation>
     </message>
     <message>
-      <source>%1 is %2, at the first photograph it was %3</source>
+      <source>%1 is %2, but the first photograph used %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը %2 է, առաջին լուսանկարում %3 էր</translation>
     </message>
@@ -5789,72 +5789,72 @@
       <translation>Պտտվող սեղանը չպատասխանեց։</translation>
     </message>
     <message>
-      <source>The turntable does not tell where it stands.</source>
+      <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը չի ասում՝ որտեղ է։</translation>
     </message>
     <message>
-      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը մերժեց հրամանը (սխալ %1). սեղանի տեսակը սխալ է կամ մալուխը վատն է։</translation>
     </message>
     <message>
-      <source>The table's speed must be more than 0.</source>
+      <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի արագությունը պետք է մեծ լինի 0-ից։</translation>
     </message>
     <message>
-      <source>The line to the turntable is broken (%1).</source>
+      <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կապը պտտվող սեղանի հետ ընդհատված է (%1)։</translation>
     </message>
     <message>
-      <source>is not open</source>
+      <source>it is not open</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բացված չէ</translation>
     </message>
     <message>
-      <source>takes no more bytes</source>
+      <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>այլևս բայտեր չի ընդունում</translation>
     </message>
     <message>
-      <source>was closed at the other end</source>
+      <source>it was closed at the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>փակվել է մյուս ծայրում</translation>
     </message>
     <message>
-      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք չեք կարող օգտվել այս հաջորդական միացքից. տեղադրեք Ostraka-ի udev կանոնները կամ մտեք dialout խումբը և նորից մուտք գործեք։</translation>
     </message>
     <message>
-      <source>The serial port is used by another program; close it.</source>
+      <source>Another program uses the serial port; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաջորդական միացքն օգտագործում է այլ ծրագիր. փակեք այն։</translation>
     </message>
     <message>
-      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաջորդական միացքը չկա. պտտվող սեղանը միացվա՞ծ է մալուխով և սնմանը։</translation>
     </message>
     <message>
-      <source>This is no serial port.</source>
+      <source>Not a serial port.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա հաջորդական միացք չէ։</translation>
     </message>
     <message>
-      <source>The serial port does not take its settings.</source>
+      <source>The serial port does not accept its settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաջորդական միացքը չի ընդունում իր կարգավորումները։</translation>
     </message>
     <message>
-      <source>The turntable's address is not known in this network.</source>
+      <source>The turntable&apos;s address is unknown on this network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի հասցեն այս ցանցում հայտնի չէ։</translation>
     </message>
     <message>
-      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաջորդական միացքը չի կարող աշխատել %1 բոդով. սովորական են 9600-ը և 115200-ը։</translation>
     </message>
@@ -5864,22 +5864,22 @@
       <translation>Ցանցային հասցեն ունի այս տեսքը՝ 192.168.0.7:23։</translation>
     </message>
     <message>
-      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աշխատասեղանը բաց չի թողնում տեսախցիկը. այն դեռ զբաղեցնում է %1-ը. փակեք ֆայլերի պատուհանը և նորից փորձեք։</translation>
     </message>
     <message>
-      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <source>A watched folder has no setting %1; set it on the camera.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դիտարկվող պանակը %1 կարգավորում չունի. դրեք այն տեսախցիկի վրա։</translation>
     </message>
     <message>
-      <source>A watched folder shows no live picture.</source>
+      <source>A watched folder has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դիտարկվող պանակը կենդանի պատկեր չի ցուցադրում։</translation>
     </message>
     <message>
-      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 վայրկյանում նոր լուսանկար չեկավ. տեսախցիկի ծրագիրն այս պանակո՞ւմ է գրում։</translation>
     </message>
@@ -5889,22 +5889,22 @@
       <translation>Դիտարկվող պանակը չի կարդացվում (%1)։</translation>
     </message>
     <message>
-      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ նկարման համար եկավ երկու լուսանկար՝ %1 և %2. ամեն պանակին՝ մեկ տեսախցիկ, ամեն կանգառին՝ մեկ լուսանկար։</translation>
     </message>
     <message>
-      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <source>The camera with this serial number is not plugged in; found: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սերիական համարով տեսախցիկը միացված չէ. կա՝ %1։</translation>
     </message>
     <message>
-      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <source>The camera does not offer %1 for %2; it is set to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը %2-ի համար %1 չի առաջարկում. դրված է %3։</translation>
     </message>
     <message>
-      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը %1-ը պահում է %2, ոչ թե %3. նայեք ռեժիմների անիվին։</translation>
     </message>
@@ -5919,7 +5919,7 @@
       <translation>Տեսախցիկը հայտնում է՝ %1։</translation>
     </message>
     <message>
-      <source>The table has no zero switch.</source>
+      <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը զրոյի անջատիչ չունի։</translation>
     </message>
@@ -5934,7 +5934,7 @@
       <translation>Չապակողպվեց։</translation>
     </message>
     <message>
-      <source>It did not answer when the shutters were to be fired.</source>
+      <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նկարելու պահին չպատասխանեց։</translation>
     </message>
@@ -5944,17 +5944,17 @@
       <translation>Պտտվող սեղանը չի պատասխանում։</translation>
     </message>
     <message>
-      <source>The turntable does not come to rest.</source>
+      <source>The turntable does not stop moving.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը կանգ չի առնում։</translation>
     </message>
     <message>
-      <source>The turntable does not take its zero.</source>
+      <source>The turntable does not accept its zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը չի ընդունում իր զրոն։</translation>
     </message>
     <message>
-      <source>The controller counts from anew; the table's position is not known.</source>
+      <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կարգավորիչը սկսել է նորից հաշվել. սեղանի դիրքը հայտնի չէ։</translation>
     </message>
@@ -5974,72 +5974,72 @@
       <translation>Նկարման ելքը պետք է լինի M8, M7, M3 կամ M62 Pn։</translation>
     </message>
     <message>
-      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը կանգնեցվել է շարժման մեջ, և դիրքը կորել է. հավասարեցրեք զրոյի նշանը (ALARM:%1)։</translation>
     </message>
     <message>
-      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի կարգավորիչն ասում է, որ պտույտն անցնում է ընթացքի սահմանը. անջատեք $20-ը (ALARM:%1)։</translation>
     </message>
     <message>
-      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զրոյացումը չհաջողվեց. ստուգեք զրոյի անջատիչը և դրա մալուխը (ALARM:%1)։</translation>
     </message>
     <message>
-      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի կարգավորիչը տագնապ տվեց (ALARM:%1)։</translation>
     </message>
     <message>
-      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կարգավորիչը չի հասկանում հրամանը. կարգավորիչի տեսակը սխալ է կամ մալուխը վատն է (error:%1)։</translation>
     </message>
     <message>
-      <source>The table has no zero switch (error:%1).</source>
+      <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը զրոյի անջատիչ չունի (error:%1)։</translation>
     </message>
     <message>
-      <source>The table is still moving (error:%1).</source>
+      <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը դեռ շարժվում է (error:%1)։</translation>
     </message>
     <message>
-      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանը կողպված է. զրոյացրեք կամ ապակողպեք այն (error:%1)։</translation>
     </message>
     <message>
-      <source>The table's controller refused a command (error:%1).</source>
+      <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի կարգավորիչը մերժեց հրամանը (error:%1)։</translation>
     </message>
     <message>
-      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտեք սեղանը ժամսլաքին հակառակ մինչև %1 աստիճան և հեռացրեք ձեռքը։</translation>
     </message>
     <message>
-      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա Ostraka-ի լուսանկարների ցուցակ չէ. խմբաքանակի համար նշեք այլ պանակ։</translation>
     </message>
     <message>
-      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի %1 վարորդը հայտնի չէ. կան՝ grbl, comxim1, comxim2, text, hand։</translation>
     </message>
     <message>
-      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <source>The camera driver %1 is unknown; available: folder, gphoto2, uvc.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկի %1 վարորդը հայտնի չէ. կան՝ folder, gphoto2, uvc։</translation>
     </message>
     <message>
-      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմը սարքեր չի նշում. 'ostraka devices'-ն ասում է, թե ինչ է միացված և ինչպես այն գրել։</translation>
     </message>
@@ -6054,12 +6054,12 @@
       <translation>settle_s-ը և speed_deg_s-ը պետք է դրական լինեն։</translation>
     </message>
     <message>
-      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'devices' մասը չի կարդացվում. համեմատեք README-ի սարքերի գլխի հետ։</translation>
     </message>
     <message>
-      <source>The number of stops must lie between 3 and 99.</source>
+      <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգառների թիվը պետք է լինի 3-ից 99։</translation>
     </message>
@@ -6069,32 +6069,32 @@
       <translation>Սարքակազմը չունի տեսախցիկ կամ պտտվող սեղան։</translation>
     </message>
     <message>
-      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կրկնելու %1 նկար չկա. այս երեսն ունի 1-ից %2 կանգառներ և A-ից %3 տեսախցիկներ։</translation>
     </message>
     <message>
-      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակի %1 տեսախցիկը %2-ն էր, այստեղինը %3-ն է. շարունակեք սկսած տեսախցիկներով կամ նշեք այլ պանակ։</translation>
     </message>
     <message>
-      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղանի դիրքը հայտնի չէ. զրոյի նշանը պտտեք դեպի առաջ և սահմանեք զրոն։</translation>
     </message>
     <message>
-      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1, կանգառ %2. %3 անգամ չհաջողվեց՝ %4։</translation>
     </message>
     <message>
-      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկը տալիս է միայն նախորդ կամ վնասված լուսանկարներ. անջատեք և միացրեք։</translation>
     </message>
     <message>
-      <source>The turntable does not answer as a %1; is it another one?</source>
+      <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը չի պատասխանում որպես %1. գուցե ա՞յլ սեղան է։</translation>
     </message>
@@ -6109,52 +6109,52 @@
       <translation>տեքստային կարգավորիչ</translation>
     </message>
     <message>
-      <source>This table has no zero switch: align it by eye.</source>
+      <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սեղանը զրոյի անջատիչ չունի. հավասարեցրեք աչքաչափով։</translation>
     </message>
     <message>
-      <source>The turntable refuses: %1.</source>
+      <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը մերժում է՝ %1։</translation>
     </message>
     <message>
-      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <source>The turntable is at %1 degrees instead of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը կանգնած է %1 աստիճանի վրա, ոչ թե %2։</translation>
     </message>
     <message>
-      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի բառերը. 'move'-ը պետք է պարունակի {target} կամ {by}։</translation>
     </message>
     <message>
-      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի բառերը. 'accepted'-ը պետք է ասի, թե ինչպես է պատասխանում։</translation>
     </message>
     <message>
-      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի բառերը. 'query'-ն և 'position'-ը միասին են։</translation>
     </message>
     <message>
-      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի բառերը. 'reply_s'-ը պետք է մեծ լինի 0-ից։</translation>
     </message>
     <message>
-      <source>The turntable's words: '%1' is no regular expression.</source>
+      <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի բառերը. '%1'-ը կանոնավոր արտահայտություն չէ։</translation>
     </message>
     <message>
-      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի բառերը. 'position'-ին պետք է խումբ՝ անկյան համար։</translation>
     </message>
     <message>
-      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի 'dialect'-ը պետք է լինի "marlin" կամ դրա բառերը։</translation>
     </message>
@@ -6169,17 +6169,17 @@
       <translation>Պտտվող սեղանի մալուխն անջատվել է։</translation>
     </message>
     <message>
-      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի USB կապը խափանվեց (%1). նորից միացրեք։</translation>
     </message>
     <message>
-      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <source>You have no permission to use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք չեք կարող օգտվել այս USB սարքից. տեղադրեք packaging/udev/70-ostraka.rules-ը և նորից միացրեք։</translation>
     </message>
     <message>
-      <source>The turntable is used by another program; close it.</source>
+      <source>Another program uses the turntable; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանն օգտագործում է այլ ծրագիր. փակեք այն։</translation>
     </message>
@@ -6189,22 +6189,22 @@
       <translation>Պտտվող սեղանը չի բացվում (%1)։</translation>
     </message>
     <message>
-      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <source>This USB device is not a serial controller (CDC-ACM).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս USB սարքը հաջորդական կարգավորիչ չէ (CDC-ACM)։</translation>
     </message>
     <message>
-      <source>The turntable of this serial number is not plugged in.</source>
+      <source>The turntable with this serial number is not plugged in.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սերիական համարով պտտվող սեղանը միացված չէ մալուխով։</translation>
     </message>
     <message>
-      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <source>A USB turntable is named by vendor and product, for example usb:1209:0001.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>USB պտտվող սեղանը նշվում է արտադրողով և արտադրանքով, ինչպես usb:1209:0001։</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիդեոտեսախցիկը չի բացվում. միացվա՞ծ է, և ա՞յլ ծրագիր չի օգտագործում այն։</translation>
     </message>
@@ -6229,17 +6229,17 @@
       <translation>Այն բացված չէ։</translation>
     </message>
     <message>
-      <source>The video camera gives no pictures any more.</source>
+      <source>The video camera no longer delivers pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիդեոտեսախցիկն այլևս պատկերներ չի տալիս։</translation>
     </message>
     <message>
-      <source>The video camera has taken no picture.</source>
+      <source>The video camera took no picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիդեոտեսախցիկը պատկեր չի արել։</translation>
     </message>
     <message>
-      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիդեոտեսախցիկը տալիս է %1x%2 պիքսել պատկերներ, ոչ թե սահմանված չափի։</translation>
     </message>
@@ -6249,47 +6249,47 @@
       <translation>Վիդեոտեսախցիկը պետք է նշված լինի։</translation>
     </message>
     <message>
-      <source>the file is cut off or no picture</source>
+      <source>the file is truncated or not a picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ֆայլը կտրված է կամ պատկեր չէ</translation>
     </message>
     <message>
-      <source>the markers show another angle than this stop's</source>
+      <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նշիչները ցույց են տալիս այս կանգառի անկյունից տարբեր անկյուն</translation>
     </message>
     <message>
-      <source>the picture has another size than the camera's others</source>
+      <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>պատկերի չափը տարբերվում է այս տեսախցիկի մյուսներից</translation>
     </message>
     <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կանգառը որոշելու համար շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա, կամ պատկերը մշո՞ւշոտ է</translation>
     </message>
     <message>
-      <source>the camera handed over an earlier photograph once more</source>
+      <source>the camera delivered an earlier photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տեսախցիկը կրկին տվեց նախորդ լուսանկարներից մեկը</translation>
     </message>
     <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
+      <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>սկավառակի շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա</translation>
     </message>
     <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
+      <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մշուշոտ է. սեղանը դեռ շարժվո՞ւմ էր, ֆոկուսը փոխվե՞լ է</translation>
     </message>
     <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
+      <source>the sherds are too dark: add light or increase the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բեկորները չափազանց մութ են. ավելացրեք լույսը կամ երկարացրեք լուսակայումը</translation>
     </message>
     <message>
-      <source>the sherds are burnt out: expose shorter</source>
+      <source>the sherds are overexposed: reduce the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բեկորները գերլուսավորված են. կարճացրեք լուսակայումը</translation>
     </message>
@@ -6299,12 +6299,12 @@
       <translation>պատկերի եզրը կտրում է բեկորը. տեղաշարժեք այն կամ տեսախցիկը</translation>
     </message>
     <message>
-      <source>the camera's settings are others than they were: set them back</source>
+      <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տեսախցիկի կարգավորումները փոխվել են. վերականգնեք դրանք</translation>
     </message>
     <message>
-      <source>%1: set it back</source>
+      <source>%1: restore it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. վերականգնեք</translation>
     </message>
@@ -6324,7 +6324,7 @@
       <translation>Խմբաքանակի uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խմբաքանակն արդեն կա։</translation>
     </message>
@@ -6334,17 +6334,17 @@
       <translation>Այս խմբաքանակը կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծի ծածկագիրը պետք է լինի 2-ից 8 մեծատառ կամ թվանշան, ինչպես ARM։</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բառարանի տերմինը պետք է ունենա տառեր և չունենա ';'։</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' տերմինը բառարանում երկու անգամ կա։</translation>
     </message>
@@ -6354,27 +6354,27 @@
       <translation>«%1» եզրով խեցաբեկորներ՝ %2. նախ փոխեք դրանք։</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի տողը ոչնչի չի հղվում</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բեկորների աղյուսակներն իրար չեն համապատասխանում</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>որոնումը բոլոր բեկորները չգիտի</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահուստային պատճենը չի պարունակում պահպանվածը. նորից փորձեք։</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգը չի բացվում. ստուգեք, որ պանակը կա և դրանում կարելի է գրել։</translation>
     </message>
@@ -6384,42 +6384,42 @@
       <translation>Կատալոգում հնարավոր չէ գրել. ստուգեք պանակի թույլտվությունները։</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոշտ սկավառակը պատշաճ չի պատասխանում. ստուգեք այն, ապա նորից բացեք նախագիծը։</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգը սա չի ընդունում (%1)։</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանն այս խմբաքանակի առջևի երես չէ։</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանն այս խմբաքանակի հետևի երես չէ։</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դրա առջևի երեսն այլևս հետևի երես չունի</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգն ունի առջևի և հետևի երես։</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետ վերցվող որոշումն այս խմբաքանակում չէ։</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշումը նշում է առջևի երես, հետևի երես կամ երկուսն էլ։</translation>
     </message>
@@ -6429,92 +6429,92 @@
       <translation>Որոշման uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը նախագծի պանակում չէ։</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա սևագիր է՝ կոպիտ լուսանկարներից. վերջնական չափերի համար խմբաքանակը նորից հաշվեք։</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սրանք 'ostraka process'-ի ամբողջական արդյունքներ չեն. նորից գործարկեք։</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգերի աղյուսակը նշում է %1 սկանը, որը չկա. նորից գործարկեք 'ostraka process'-ը։</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկանն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անձն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս հուշարձանն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խրամատն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս համատեքստն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տոպրակն այլևս կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչը բացում է չակերտ և չի փակում։</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա բեկորի պիտակի միայն մի մասն է. նորից կարդացեք դրա կոդը։</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչը '%1' դաշտ չգիտի. բառը դրեք չակերտների մեջ, որ փնտրվի՝ ինչպես կա։</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միայն չափերն են համեմատվում &lt; և &gt; նշաններով. գրեք %1:value։</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչն ընթեռնելի տեքստ չէ։</translation>
     </message>
@@ -6524,7 +6524,7 @@
       <translation>'%1' դաշտ չկա։</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոփոխությունների մի մասը մնում է, քանի որ չհաջողվեց հետարկել. %1</translation>
     </message>
@@ -6534,17 +6534,17 @@
       <translation>Այսպիսի չափ չկա։</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափը երբեք 0-ից փոքր չէ։</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս նախագիծն արվել է ավելի նոր Ostraka-ով (կատալոգի տարբերակ %1, այս ծրագիրը գիտի %2). տեղադրեք այն, ոչինչ չի փոխվել։</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարակալումը չի կարող պարունակել '%1' նիշը. տեղապահների միջև թույլատրվում են տառեր, թվանշաններ, '.', '_', '/' և '-'։</translation>
     </message>
@@ -6554,7 +6554,7 @@
       <translation>Համարակալումը տեղապահը բացում է {-ով և չի փակում }-ով։</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարակալումը {%1} տեղապահ չունի. կան site, trench, context, bag, batch, yyyy, yy և n։</translation>
     </message>
@@ -6564,7 +6564,7 @@
       <translation>{%1}-ի լայնությունը պետք է գրվի որպես :04, առավելագույնը 12 նիշ։</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկու տեղապահ կպած են. {%1}-ի և {%2}-ի միջև դրեք '-' կամ այլ նշան։</translation>
     </message>
@@ -6599,52 +6599,52 @@
       <translation>Համարին պետք է բեկորի խմբաքանակը, որը գրանցված չէ։</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 հուշարձանը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խրամատը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տոպրակը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խմբաքանակը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն արդեն տրվել է. համարները կրկին չեն օգտագործվում։</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մինչև %1 համարների շարքը սպառված է. կարգավորումներում այս համակարգչին նոր շարք տվեք։</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշմանը պետք է այն կայացնողի անունը։</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միացվում է երկու կամ ավելի կտոր։</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կտրվում է մեկ կտոր։</translation>
     </message>
@@ -6679,32 +6679,32 @@
       <translation>Տոպրակի համարը չպետք է դատարկ լինի։</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անձի անունը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անձի սկզբնատառերը չափազանց երկար են. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձանի ծածկագիրը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատի ծածկագիրը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համատեքստի համարը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակի համարը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
     </message>
@@ -6714,92 +6714,92 @@
       <translation>uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 սկզբնատառերն արդեն այլ անձինն են։</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լայնությունը -90-ից 90 աստիճան է։</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկայնությունը -180-ից 180 աստիճան է։</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 հուշարձանն արդեն կա։</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատը պատկանում է հուշարձանի։</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատը չի կարող լինել ինքն իր մեջ։</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս հուշարձանում %1 խրամատն արդեն կա։</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համատեքստը պատկանում է հուշարձանի։</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խրամատն այլ հուշարձանի է պատկանում, քան համատեքստը։</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեղում %1 համատեքստն արդեն կա։</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակը պատկանում է համատեքստի։</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակի քաշը մեծ է 0 գ-ից։</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Քանակը երբեք 0-ից փոքր չէ։</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս համատեքստում %1 տոպրակն արդեն կա։</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակը ցանցային ընդհանուր պահոցում է (%1), որտեղ կատալոգները վնասվում են. օգտագործեք այս համակարգչի սեփական կոշտ սկավառակի պանակ, իսկ պահուստային պատճենները պատճենեք պահոց։</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակն Ostraka-ի նախագիծ չէ. catalogue.sqlite չի պարունակում։</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր նախագծին պետք է նոր կամ դատարկ պանակ. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակը չի ստեղծվում. ընտրեք տեղ, որտեղ կարող եք գրել։</translation>
     </message>
@@ -6809,12 +6809,12 @@
       <translation>Արտահանման մի uuid սխալ է գրված։</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոշումը պահպանված է խմբաքանակի հետ, բայց %1-ը դեռ կատալոգում չկա. այն կգրանցվի հաջորդ արդյունքների հետ։</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 դաշտը գալիս է ծրագրից։</translation>
     </message>
@@ -6824,17 +6824,17 @@
       <translation>Անվավեր բեկորը պահում է իր համարը։</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարը չի պարունակում տողադարձ, տաբուլյացիա և '%'։</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարն ունի առավելագույնը 120 նիշ։</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարը երկու անգամ կտրվեր։</translation>
     </message>
@@ -6844,7 +6844,7 @@
       <translation>%1-ի ֆայլերը կունենային նույն անունները, ինչ %2-ինը։</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն արդեն տրվել է և կրկին չի օգտագործվում։</translation>
     </message>
@@ -6854,42 +6854,42 @@
       <translation>%1 համարն այլ բեկորինն է։</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ը '%2' բառարանի տերմին չէ. ընտրեք այլը կամ ավելացրեք կարգավորումներում։</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>± նշանին հաջորդողը մեծ է 0-ից, կամ 0 է, եթե անորոշությունը հայտնի չէ։</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափը մեծ է 0-ից։</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի բեկոր 1000 մմ-ից մեծ չէ. սա միլիմետրո՞վ է։</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի բեկոր 20 կգ-ից ծանր չէ. սա գրամո՞վ է։</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաժինը առավելագույնը 100 % է։</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չկա %1 բեկոր, որին այն կցվեր։</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորն ինքն իրեն չի կցվում։</translation>
     </message>
@@ -6904,17 +6904,17 @@
       <translation>Համարակալված բեկորին պետք է իր համատեքստը։</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորը համար է ստանում, երբ համատեքստը հայտնի է։</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակը չի դասավորվում ըստ '%1'-ի։</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի բեկոր այլևս կատալոգում չկա։</translation>
     </message>
@@ -6924,22 +6924,22 @@
       <translation>Բեկորի uuid-ը սխալ է գրված։</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս uuid-ով բեկոր արդեն կա։</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորն անվավեր է որևէ պատճառով. նշեք այն։</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն այս սկավառակի երկու բեկորի վրա է։</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարն արդեն այլ բեկորինն է։</translation>
     </message>
@@ -6954,32 +6954,32 @@
       <translation>Տեքստը 1 ՄԲ-ից երկար է։</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեքստը ճիշտ UTF-8 չէ կամ պարունակում է զրոյական բայտ։</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օրը գրվում է 2026-07-14 (տարի-ամիս-օր)։</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թվագրումը գրվում է EDTF-ով, ինչպես -0599/-0549~ (մ. թ. ա. 600-ից մոտ 550), -1149? կամ 0350/..՝ քառանիշ տարիներով։</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Munsell գույնը գրվում է 10YR 3/1 կամ N 4/։</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ը թիվ չէ. գրեք 12.5 կամ 12,5՝ առանց միավորի։</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ը նախագծի ներսի ուղի չէ. այն պետք է լինի հարաբերական՝ '/'-ով և առանց '..'-ի։</translation>
     </message>
@@ -7134,7 +7134,7 @@
       <translation>Գծանկարին պետք է փակ մոդել. ստեղծեք այն 'ostraka process'-ով։</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլերի ցուցակը (manifest) բացակայում է. սա Ostraka-ի արտահանում չէ։</translation>
     </message>
@@ -7159,12 +7159,12 @@
       <translation>Այստեղ հնարավոր չէ գրել. ստուգեք ազատ տեղը և թույլտվությունները։</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման անունը չպետք է պարունակի '%'։</translation>
     </message>
@@ -7174,12 +7174,12 @@
       <translation>Արտահանման երկու ֆայլ կունենային նույն անունը։</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մինչ այդ մեկը ստեղծել է այս անունով պանակ. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակն Ostraka-ի արտահանում չէ. bagit.txt-ը բացակայում է։</translation>
     </message>
@@ -7204,42 +7204,42 @@
       <translation>Այս ֆայլը բացակայում է. ոչինչ չի կարդացվել։</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը փոխվել է արտահանումից հետո. ոչինչ չի կարդացվել։</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տոպրակ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed սյունակում գրվում է yes կամ no։</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>count_written սյունակում գրվում է ամբողջ թիվ։</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տողն ունի %1 արժեք, վերնագիրը՝ %2։</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' սյունակը հայտնի չէ. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ։</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը տեքստ չէ. այն պարունակում է երկուական տվյալներ, որոնք ոչ մի աղյուսակում չեն լինում։</translation>
     </message>
@@ -7254,12 +7254,12 @@
       <translation>Աղյուսակն ունի 1 000 000-ից ավելի տող. բաժանեք այն։</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տողը բացում է չակերտ, որը երբեք չի փակվում։</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տողը փակող չակերտից հետո տառեր ունի։</translation>
     </message>
@@ -7274,37 +7274,37 @@
       <translation>Աղյուսակը դատարկ է. առաջին տողը պետք է նշի սյունակները։</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս բեկորը դեռ մոդել չունի և չի կարող գծվել. նախ հաշվեք դրա խմբաքանակը։</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրա խմբաքանակի չափերը կասկածելի են. նույնը՝ այս գծանկարի չափը։</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ասված է, որ շուրթ է, բայց եզրի ոչ մի հատված շուրթ չի կարող լինել. գծված է առանց դրա։</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը չկա և բաց է թողնվել։</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը գրանցված լուսանկարը չէ. ստուգեք այն։</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 բեկորի այս մոդելը կամ պատկերը գրանցվածը չէ. նորից հաշվարկեք նրա %2 խմբաքանակը։</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն արտահանվում է ամբողջությամբ. %2</translation>
     </message>
@@ -7319,7 +7319,7 @@
       <translation>%1-ի պատկերներ դիմակներով ու դիրքերով չկան. %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանելու բեկոր չկա. նախ ընտրեք։</translation>
     </message>
@@ -7329,17 +7329,17 @@
       <translation>Տողը ո՛չ համար ունի, ո՛չ uuid։</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա աղյուսակի երկու տողում կա։</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա uuid չէ։</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարն այլ բեկորինն է, քան uuid-ը։</translation>
     </message>
@@ -7354,62 +7354,62 @@
       <translation>Աղյուսակի մի սյունակ անուն չունի։</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' սյունակը երկու անգամ կա։</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեղերն ու խմբաքանակները գրված չեն այնպես, ինչպես գրում է Ostraka-ն։</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա PLY ֆայլ չէ։</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա GLB ֆայլ չէ։</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս արտահանումը բեկորների գրառումներ (JSON) չի պարունակում. նորից արտահանեք դրանցով։</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծում այս բեկորն այլ արժեքներ ունի. դրանք մնում են, իսկ տարբերվողը պահվում է կողքին՝ _in_%1-ով վերջացող դաշտերում։</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլն արտահանման ֆայլերի մեջ չէ։</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագիծն ունի այս անունով այլ ֆայլ. վերանվանեք արտահանումը և նորից ներմուծեք։</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա բեկորի գրառում չէ (ostraka-sherd/1)։</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 չափն այլ միավոր ունի, քան %2։</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գրառման մի արժեք պատշաճ տեսակի չէ։</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա մեկ ZIP ֆայլի համար չափազանց մեծ է. ընտրեք ավելի քիչ բեկոր։</translation>
     </message>
@@ -8054,7 +8054,7 @@
       <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր եզրով։</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. տրամաչափման տախտակը չի երևում. այս պատկերը բաց է թողնվում։</translation>
     </message>
@@ -8069,12 +8069,12 @@
       <translation>Նշիչների ցանցին պետք են 'dictionary', 'markers_x', 'markers_y', 'marker_length' և 'marker_separation'։</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր կանգառում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տախտակի պատկերներ չկան. դրեք դրանք այստեղ կամ 'calib'-ի մեջ։</translation>
     </message>
@@ -8084,7 +8084,7 @@
       <translation>Այն մի կողմ է դրվում։</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. չափը առաջինինը չէ. մի կողմ է դրվում։</translation>
     </message>
@@ -8094,12 +8094,12 @@
       <translation>Սարքակազմի հաշվարկը լուծման չհասավ. ստուգեք, որ plate.json և board.json ֆայլերը նկարագրում են այն, ինչ լուսանկարվել է։</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չի ասում, թե ինչպես են ծռված թերթերը. ջնջեք ֆայլը, և դրանք կչափվեն նորից։</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չի ասում, թե ինչի վրա են կանգնած բեկորները. ջնջեք այն, և դա նորից կգտնվի։</translation>
     </message>
@@ -8109,17 +8109,17 @@
       <translation>Թերթի նշանները կարդացվում են %3 կողմի %2 լուսանկարներից %1-ում. հարկավոր է առնվազն 3։ Ստուգեք, որ plate.json-ը նկարագրում է այս թերթը, որ լուսանկարները հայելային չեն, և որ նշանների մեծ մասը նկարում է։</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: կարդացվում է թերթի %2 նշան, շատ քիչ՝ դիրքի համար. բաց է թողնված։</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բաց են թողնվում լուսանկարներ, որոնք դիրքի համար թերթի շատ քիչ նշաններ են ցույց տալիս (%1 և ևս %2). ստուգեք՝ արդյոք դրանք այս թերթն են ցույց տալիս։</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. թերթի նշանների մեծ մասը դրանում այլ տեղում է, քան ցույց են տալիս մյուս լուսանկարները. այն բաց է թողնվում։</translation>
     </message>
@@ -8129,7 +8129,7 @@
       <translation>Լուսանկարվել է միայն մեկ կողմը. դրա %1 սկանները բաց մակերեսներ են՝ առանց հակառակ կողմի. դրանք 'unpaired'-ում են։</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json չկա, ուստի սկավառակի նշիչները չեն կարող օգտագործվել. այստեղ պատճենեք այն, որը 'ostraka plate'-ը գրել է սկավառակի հետ։</translation>
     </message>
@@ -8144,12 +8144,12 @@
       <translation>Դրա օբյեկտիվը փոխարենը գնահատվում է սկավառակի նշիչներով։</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի օբյեկտիվը հայտնի չէ. չկան ո՛չ տախտակի պիտանի պատկերներ, ո՛չ սկավառակի նշիչներ. 'calib'-ին ավելացրեք տախտակի պատկերներ։</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի օբյեկտիվը գնահատվել է միայն սկավառակի նշիչներով. ճշգրիտ չափերի համար 'calib'-ին ավելացրեք տախտակի 12 պատկեր։</translation>
     </message>
@@ -8164,57 +8164,57 @@
       <translation>%1 տեսախցիկի ոչ մի լուսանկար ցույց չի տալիս սկավառակի երկու նշիչ. դրա բոլոր լուսանկարները բաց են թողնվում։</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հայտնի սարքակազմն այլևս չի համապատասխանում. %1 տեսախցիկը վրիպում է նշիչներից %2 px. տեսախցիկների տեղերն այս խմբաքանակի համար նորից են գնահատվում, նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա %2 նշիչներից ոչ մեկն այնտեղ չէ, որտեղ այս տեսախցիկը դրանք տեսնում է այս կանգառում։</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն կրում է այլ լուսանկարի անուն կամ արվել է սկավառակի պտտվելիս. բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա վրա ոչ մի նշիչ չի երևում. այս կանգառը ցո՞ւյց է տալիս։ Եթե ոչ, նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկը %2 կանգառում տեսնում է սկավառակի վեցից քիչ նշիչ. ստուգեք այնտեղի լույսն ու ֆոկուսը, և որ նշիչների վրա ոչինչ դրված չէ։</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարվել է միայն %1 կանգառ. լրիվ պտույտի վրա արեք առնվազն չորսը, որ առանցքը գտնվի։</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երևացել է ութից քիչ նշիչ, ուստի ստուգման համար ոչ մի հեռավորություն չի պահվել. մասշտաբը ստուգված չէ։</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 և %2 նշիչների միջև դուք չափել եք %3 մմ, ըստ plate.json-ի՝ %4 մմ (%5 %). չափեք սկավառակի քանոնը և նորից ստեղծեք plate.json-ը 'ostraka plate --ruler-measured' հրամանով։</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի չէ. %1 տեսախցիկը սկավառակի նշիչներից վրիպում է %2 px (մեդիան). լուսանկարների միջև դրան դիպե՞լ են, թե՞ plate.json-ն այլ սկավառակի է։</translation>
     </message>
@@ -8224,22 +8224,22 @@
       <translation>Պիտանի չէ. մասշտաբը ճիշտ չէ։</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լավ է. օբյեկտիվները, տեղերն ու մասշտաբը որոշված են։</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի է միայն փորձի համար. %1 տեսախցիկի օբյեկտիվը որոշված է միայն սկավառակի նշիչներով։</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի է, բայց մի ֆոկուսային հեռավորություն հայտնի է ոչ ավելի ճշգրիտ, քան հազարերորդ մասով։</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի է. ստորև նշվածը կլավացներ այն։</translation>
     </message>
@@ -8254,32 +8254,32 @@
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), տախտակի %4 պատկեր՝ %5 px, վատագույնը՝ %6, %7 px, թեքությունը՝ մինչև %8 աստիճան։</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), սկավառակի նշիչները՝ %4 px (մեդիան)։</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), տախտակի %4 պատկեր՝ %5 px, վատագույնը՝ %6, %7 px, թեքությունը՝ մինչև %8 աստիճան, սկավառակի նշիչները՝ %9 px (մեդիան)։</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. արեք տախտակի 12 պատկեր՝ մոտիկից ու հեռվից, պատկերի բոլոր անկյուններում, տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց է տալիս միայն 1 պատկեր. արեք առնվազն 8, ավելի լավ է՝ 12։</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս միայն %2 պատկեր. արեք առնվազն 8, ավելի լավ է՝ 12։</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը գրեթե չի հասնում պատկերի այս մասերին՝ %2. ավելացրեք պատկերներ, որտեղ տախտակն այնտեղ է։</translation>
     </message>
@@ -8349,12 +8349,12 @@
       <translation>Վերապրոյեկտման սխալը սկավառակի նշիչների վրա՝ %1 px։</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %)։</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբ. %1 և %2 նշիչների արտաքին կողմերի միջնակետերի միջև ձեռքով չափված է %3 մմ, լուսանկարներում՝ %4 մմ (%5 %)։</translation>
     </message>
@@ -8364,7 +8364,7 @@
       <translation>Մի կողմ է դրված՝ %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օբյեկտիվը հայտնի է, տեսախցիկների տեղերը՝ ոչ. սարքակազմ պահել հնարավոր չէ։</translation>
     </message>
@@ -8374,27 +8374,27 @@
       <translation>Պիտանի չէ. ֆոկուսային հեռավորությունը որոշված չէ։</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարեք նաև սկավառակը՝ իր նշիչներով. յուրաքանչյուր տեսախցիկի և կանգառի համար մեկ պատկեր դրեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ) plate.json-ի կողքին, տախտակի պատկերները՝ 'calib'-ի մեջ։</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հայտնի երկարության %1 նշիչը երկու անգամ չի երևում. նշեք սկավառակի երկու նշիչ, որոնք լուսանկարներում կան։</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հայտնի երկարությանը պետք են երկու տարբեր նշիչ և զրոյից մեծ միլիմետրեր։</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այդպիսի պանակ չկա. նշեք սկավառակի կամ տախտակի լուսանկարներով պանակ։</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1'-ի աղավաղման հինգից ավելի անդամները չեն ընկալվում. նախ ուղղեք դրա լուսանկարների աղավաղումը։</translation>
     </message>
@@ -8414,12 +8414,12 @@
       <translation>Մի պատկերի պակասում է file, width, height, K, R կամ t (%1)։</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկների ֆայլում 'images' ցուցակ չկա։</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ի %1 տեսախցիկն ունի '%2' մոդելը կամ արժեքներ, որոնք այստեղ պիտանի չեն. փոխարենը օգտագործեք OPENCV։</translation>
     </message>
@@ -8429,117 +8429,117 @@
       <translation>COLMAP-ի մոդելը '%1' պատկերի համար տեսախցիկ չունի։</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը վնասված է կամ այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տողն այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարի դիրքը որոշվում է առանց իր դիմակի։</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առանց plate.json-ի դիրքերը տալիս է COLMAP-ը, որը տեղադրված չէ. տեղադրեք 'colmap' փաթեթը կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ը գտել է %2 լուսանկարից %1-ի դիրքը, ինչը շատ քիչ է. տվեք դիմակներ կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբը ճիշտ չէ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %). ստուգեք, որ plate.json-ն այս սկավառակինն է, որ այն ճիշտ է տպված ու սոսնձված, և որ հայտնի սարքակազմը տրամաչափվել է դրանով։</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի համեմատ %2 տեսախցիկը սարքակազմի տրամաչափումից հետո տեղաշարժվել է %3 մմ և պտտվել %4 աստիճանով։</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա վրա տախտակը չի երևում. մի կողմ է դրվում։</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նշիչների '%1' բառարանը հայտնի չէ. օգտագործեք DICT_4X4_100-ի նմանը։</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նշիչների կողմը պետք է լինի 5-ից 200 մմ։</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի տրամագիծը պետք է լինի 1-ից 2000 մմ։</translation>
     </message>
@@ -8564,12 +8564,12 @@
       <translation>%1 մմ նշիչները %2 մմ սկավառակի վրա բեկորի համար տեղ չեն թողնում. մեծացրեք սկավառակը։</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպիչի լուսանցքը պետք է լինի 0-ից 40 մմ։</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թերթերի վերածածկը պետք է լինի 5-ից 40 մմ։</translation>
     </message>
@@ -8579,42 +8579,42 @@
       <translation>%1 բառարանն այս սկավառակի համար շատ քիչ նշիչ ունի։</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Քանոնի չափը պետք է լինի սկավառակի մեջ տեղավորվող երկարություն՝ մմ-ով։</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկավառակի քանոնը գծված է %1 մմ երկարությամբ, %2 մմ-ը տարբերվում է ավելի քան մեկ տասներորդով. տպեք ֆայլը 100 %-ով, առանց 'հարմարեցնել էջին', և նորից չափեք։</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի կովարիացիայի չափն այլ է. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սարքակազմը գրել է այլ տարբերակ. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկը սարքակազմում երկու անգամ է։</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա սարքակազմի ֆայլ (RIG.json) չէ. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմը տեսախցիկ չունի. նորից տրամաչափեք այն։</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլն արդեն կա և սարքակազմ չէ. նշեք ուրիշը։</translation>
     </message>
@@ -8624,12 +8624,12 @@
       <translation>Մատյանը գրել հնարավոր չէ։</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի գործընթաց հնարավոր չէ սկսել։</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ծրագիրը կորավ։</translation>
     </message>
@@ -8639,7 +8639,7 @@
       <translation>Ծրագիրը չի գործարկվում. տեղադրեք այն։</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն ավարտվեց սխալով. դրա հաղորդագրություններն այս ֆայլում են։</translation>
     </message>
@@ -8769,12 +8769,12 @@
       <translation>Տեսախցիկը ոչ մի լուսանկար չի արել։</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ը չի գտնում, թե ինչպես են այս լուսանկարները միմյանց համապատասխանում. նրա հաղորդագրություններն այս ֆայլում են։ Ստուգեք՝ արդյոք բոլորը նույն բեկորներն են ցույց տալիս մեծ համընկնումով, կամ լուսանկարեք նշաններով սկուտեղի վրա։</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս մոդելն այլևս չկա. նորից հաշվարկեք նրա խմբաքանակը։</translation>
     </message>
@@ -8784,7 +8784,7 @@
       <translation>Այս բեկորն անվավեր է։</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս բեկորն անվավեր է, քանի որ՝ %1</translation>
     </message>
@@ -8829,7 +8829,7 @@
       <translation>պատը %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակը համատեքստի մեջ է. նախ գրեք համատեքստը։</translation>
     </message>
@@ -8839,7 +8839,7 @@
       <translation>%1 համատեքստում %2 տոպրակ չկա. միաժամանակ փոխեք կամ դատարկեք տոպրակը։</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 համատեքստում %1 տոպրակ դեռ չկա. գրեք այն նկարահանման էջում կամ ներմուծեք համատեքստերի աղյուսակ, որտեղ այն կա։</translation>
     </message>
@@ -8849,12 +8849,12 @@
       <translation>Այն, ինչ ընդունվել է որպես շուրթ, կարող է կոտրվածք լինել (%1 %, որ շուրթն է), և տրամագիծը՝ սխալ. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակը լուսանկարվում է. կհաշվարկվի, երբ դա ավարտվի։</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն մուտքագրվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
     </message>
@@ -8864,7 +8864,7 @@
       <translation>«%1»-ը կարելի է կարդալ %2 կամ %3. գրեք երկուսից մեկը։</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
     </message>
@@ -8879,12 +8879,12 @@
       <translation>%1-ը նորից է նկարվել իր դիմակը շտկելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Նայեք դրա դիմակը։</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ հաշվարկված չէ։</translation>
     </message>
@@ -8894,7 +8894,7 @@
       <translation>Նախորդ գծանկարի թերթ արդեն կա և չի վերագրվում. ընտրեք այլ անուն կամ հեռացրեք այն։</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>= նշանից հետո համար է գրվում։</translation>
     </message>
@@ -8989,12 +8989,12 @@
       <translation>Այս անունով ֆայլ արդեն կա. այն չի վերագրվում։</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չմուտքագրվեց։</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
     </message>
@@ -9044,7 +9044,7 @@
         <translation>մի էջ փոխվել է</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>նրա էջերն իրար չեն համապատասխանում</translation>
     </message>
@@ -9064,37 +9064,37 @@
         <translation>ֆայլը պատկանում է այլ ծրագրի</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ֆայլում կատալոգ չկա</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>գլխագիրը հակասում է ինքն իրեն</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>դրանում նախագիծ չկա</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը չի կարդացվում. ստուգեք՝ արդյոք այն տեղում է, և դրա թույլտվությունները։</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այս նախագիծը միայն կարդացվում է, և կարդալու պատճենի համար տեղ չկա. տեղ ազատեք ժամանակավոր ֆայլերի պանակում։</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այս նախագիծը ստեղծվել է ավելի հին Ostraka-ով և այստեղ միայն կարդացվում է. պատճենեք այն մի պանակ, որտեղ կարող եք գրել, և բացեք այնտեղ։</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը վնասված է, և դրա ոչ մի պահուստային պատճեն ամբողջական չէ. պատճենեք մեկը backups պանակ՝ արխիվից կամ այլ սկավառակից, և նորից վերականգնեք։</translation>
     </message>
@@ -9104,17 +9104,17 @@
         <translation>Այս նախագիծը բացված է մեկ այլ ծրագրում. փակեք այն այնտեղ, ապա վերականգնեք։</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Աղյուսակին պետք է խեցաբեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 տողից մուտքագրված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&apos;%1&apos; սյունակը նույնն է ասում, ինչ &apos;%2&apos;-ը. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ:</translation>
     </message>

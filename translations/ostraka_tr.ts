@@ -1603,7 +1603,7 @@
       <translation>Ön %1, arka %2</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kamera canlı görüntü vermiyor.</translation>
     </message>
@@ -2232,7 +2232,7 @@
       </translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
@@ -5038,47 +5038,47 @@
       <translation>(%1, %2) mm</translation>
     </message>
     <message>
-      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçalar sayılamadı: tablanın çok az işareti görünüyor.</translation>
     </message>
     <message>
-      <source>No sherd is seen on the plate.</source>
+      <source>No sherd is visible on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablada hiç parça görünmüyor.</translation>
     </message>
     <message>
-      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçalar tablanın ortasından %1 uzakta birbirine değiyor ya da neredeyse değiyor: ayırın ve yeniden çekin.</translation>
     </message>
     <message>
-      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın ortasından %1 uzakta duran bir parça sayıldı, ama birbirine değen iki parça olabilir: oraya bakın; öyleyse ayırın ve yeniden çekin.</translation>
     </message>
     <message>
-      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüz ön yüze benziyor: parçaları çevirin ve yeniden fotoğraflayın.</translation>
     </message>
     <message>
-      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
     </message>
     <message>
-      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Önde %1 parça göründü, arkada %2: tablayı boşaltmadan önce eksik olanı arayın.</translation>
     </message>
     <message>
-      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Önde %1 parça göründü, arkada %2: biri mi eklendi, yoksa biri mi kırıldı?</translation>
     </message>
@@ -5101,7 +5101,7 @@
       <translation>Kamera takılı değil ya da açık değil.</translation>
     </message>
     <message>
-      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera yanıt vermiyor; uykuda mı? Otomatik kapanmasını kapatın.</translation>
     </message>
@@ -5111,72 +5111,72 @@
       <translation>Kamera meşgul kalıyor; kapatıp açın.</translation>
     </message>
     <message>
-      <source>The line to the camera is broken; look at its cable.</source>
+      <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamerayla bağlantı koptu; kablosuna bakın.</translation>
     </message>
     <message>
-      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamerayı başka bir program tutuyor, çoğu zaman dosya yöneticisi; 'ostraka devices' adını söyler.</translation>
     </message>
     <message>
-      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera açılamıyor; bu kullanıcı onu kullanabilir mi? 'ostraka devices' komutuna bakın.</translation>
     </message>
     <message>
-      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kameradan fotoğraf gelmedi; odaklı ve elle kipinde mi?</translation>
     </message>
     <message>
-      <source>The camera does not stop to deliver photographs.</source>
+      <source>The camera does not stop sending photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera fotoğraf göndermeyi bırakmıyor.</translation>
     </message>
     <message>
-      <source>This camera shows no live picture.</source>
+      <source>This camera has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kamera canlı görüntü göstermiyor.</translation>
     </message>
     <message>
-      <source>The turntable does not reach its angle; is it blocked?</source>
+      <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa açısına ulaşmıyor; takılı mı?</translation>
     </message>
     <message>
-      <source>The turntable was paused at its own button.</source>
+      <source>The turntable was paused with its own button.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa kendi düğmesinden duraklatıldı.</translation>
     </message>
     <message>
-      <source>The table's position is not known: home it, or align it.</source>
+      <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın konumu bilinmiyor: sıfırlayın ya da hizalayın.</translation>
     </message>
     <message>
-      <source>The turntable does not answer in the network.</source>
+      <source>The turntable does not answer on the network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa ağda yanıt vermiyor.</translation>
     </message>
     <message>
-      <source>The controller restarted; the table's position is not known.</source>
+      <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Denetleyici yeniden başladı; masanın konumu bilinmiyor.</translation>
     </message>
     <message>
-      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın bir yanıtı kayboldu ve nerede durduğunu söyleyemiyor: sıfırlayın ya da hizalayın.</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masa bir GRBL denetleyicisi gibi yanıt vermiyor: açık mı, bu türden mi?</translation>
     </message>
     <message>
-      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masa bir ComXim gibi yanıt vermiyor: açık mı, bu türden mi?</translation>
     </message>
@@ -5186,7 +5186,7 @@
       <translation>USB bu bilgisayarda çalışmıyor.</translation>
     </message>
     <message>
-      <source>The disk is full; free some space and shoot on.</source>
+      <source>The disk is full; free some space, then continue shooting.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk dolu; yer açın ve çekime devam edin.</translation>
     </message>
@@ -5196,12 +5196,12 @@
       <translation>Disk dolu; yer açın ve aynı işi yeniden başlatın.</translation>
     </message>
     <message>
-      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <source>The disk is full; free some space, then try again. No data was lost.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk dolu; yer açın, sonra yeniden deneyin. Hiçbir şey kaybolmadı.</translation>
     </message>
     <message>
-      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir program kataloğu meşgul ediyor; onu kapatın, sonra yeniden deneyin.</translation>
     </message>
@@ -5211,12 +5211,12 @@
       <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>“%1” bir kontekst türü değil; layer, cut, fill, structure, surface ya da unstratified olabilir.</translation>
     </message>
     <message>
-      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz olmayan alanlar ve açmalar: %1; hiçbirinin yazım hatası olmadığına bakın.</translation>
     </message>
@@ -5256,7 +5256,7 @@
       <translation>Kamera %1: beyaz dengesi bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
     </message>
     <message>
-      <source>No camera explains the calibration pictures.</source>
+      <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir kamera ayar resimlerini açıklamıyor.</translation>
     </message>
@@ -5271,7 +5271,7 @@
       <translation>Parti klasörü belirtilmedi.</translation>
     </message>
     <message>
-      <source>The angle is no number.</source>
+      <source>The angle is not a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açı bir sayı değil.</translation>
     </message>
@@ -5311,27 +5311,27 @@
       <translation>Ağ için 8 bitlik renkli bir fotoğraf gerekir.</translation>
     </message>
     <message>
-      <source>There is no scale to draw it at.</source>
+      <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim için bir ölçek verilmedi.</translation>
     </message>
     <message>
-      <source>A preview is taken back.</source>
+      <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir önizleme geri alınır.</translation>
     </message>
     <message>
-      <source>An archive must not lie in the project itself.</source>
+      <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arşiv, projenin kendi içinde olamaz.</translation>
     </message>
     <message>
-      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir proje yeni ya da boş bir klasöre geri yüklenir; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, bütün bir projenin arşivi değil; bunun yerine dışa aktarım olarak okuyun.</translation>
     </message>
@@ -5521,7 +5521,7 @@
       <translation>Bir işaretin kenarı 0,5 ile 1000 mm arasında olmalı; kâğıttaki siyah bir kareyi ölçün.</translation>
     </message>
     <message>
-      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries is read in these %2 photographs; take photographs that show more of it, or name its plate.json.</source>
+      <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu %2 fotoğrafta OpenCV sözlüklerinden en az %1 işaretli bir sayfa okunmuyor; onu daha çok gösteren fotoğraflar çekin ya da plate.json dosyasını belirtin.</translation>
     </message>
@@ -5686,32 +5686,32 @@
       <translation>Ayar levhası için 'dictionary', 'squares_x', 'squares_y', 'square_mm' ve 'marker_mm' gerekir.</translation>
     </message>
     <message>
-      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buraya yazılamıyor (%1); parti için başka bir klasör seçin ya da izinlerini denetleyin.</translation>
     </message>
     <message>
-      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir dosya zaten var ve üzerine yazılmıyor; başka bir parti belirtin.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
+      <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti başka bir tablada başlatılmıştı: onunla sürdürün ya da başka bir partiye başlayın.</translation>
     </message>
     <message>
-      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti %1 kamera ve %2 durakla başlatılmıştı, %3 ve %4 ile değil; başka bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraf çekildikten sonra değiştirilmiş; özgününü geri koyun ya da parti için başka bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğraf burada çekilmedi; parti için başka bir klasör belirtin.</translation>
     </message>
@@ -5721,12 +5721,12 @@
       <translation>%1 kamerası yalnız ham dosya veriyor; resim biçimini JPEG’e ya da ikisine birden ayarlayın.</translation>
     </message>
     <message>
-      <source>%1 is %2, the rig says %3</source>
+      <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ayarı %2, düzenek %3 diyor</translation>
     </message>
     <message>
-      <source>%1 is %2, at the first photograph it was %3</source>
+      <source>%1 is %2, but the first photograph used %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ayarı %2, ilk fotoğrafta %3 idi</translation>
     </message>
@@ -5741,72 +5741,72 @@
       <translation>Döner masa yanıt vermedi.</translation>
     </message>
     <message>
-      <source>The turntable does not tell where it stands.</source>
+      <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa nerede durduğunu söylemiyor.</translation>
     </message>
     <message>
-      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa bir komutu geri çevirdi (hata %1): yanlış masa türü ya da bozuk kablo.</translation>
     </message>
     <message>
-      <source>The table's speed must be more than 0.</source>
+      <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın hızı 0’dan büyük olmalı.</translation>
     </message>
     <message>
-      <source>The line to the turntable is broken (%1).</source>
+      <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masayla bağlantı koptu (%1).</translation>
     </message>
     <message>
-      <source>is not open</source>
+      <source>it is not open</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>açık değil</translation>
     </message>
     <message>
-      <source>takes no more bytes</source>
+      <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>artık bayt almıyor</translation>
     </message>
     <message>
-      <source>was closed at the other end</source>
+      <source>it was closed at the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>öbür uçtan kapatıldı</translation>
     </message>
     <message>
-      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu seri portu kullanma izniniz yok; Ostraka’nın udev kurallarını kurun ya da dialout grubuna katılın ve yeniden oturum açın.</translation>
     </message>
     <message>
-      <source>The serial port is used by another program; close it.</source>
+      <source>Another program uses the serial port; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seri portu başka bir program kullanıyor; onu kapatın.</translation>
     </message>
     <message>
-      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seri port yok; döner masa takılı ve açık mı?</translation>
     </message>
     <message>
-      <source>This is no serial port.</source>
+      <source>Not a serial port.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir seri port değil.</translation>
     </message>
     <message>
-      <source>The serial port does not take its settings.</source>
+      <source>The serial port does not accept its settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seri port ayarlarını kabul etmiyor.</translation>
     </message>
     <message>
-      <source>The turntable's address is not known in this network.</source>
+      <source>The turntable&apos;s address is unknown on this network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın adresi bu ağda bilinmiyor.</translation>
     </message>
     <message>
-      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir seri port %1 baud ile çalışamaz; olağan olanlar 9600 ve 115200.</translation>
     </message>
@@ -5816,22 +5816,22 @@
       <translation>Bir ağ adresi 192.168.0.7:23 gibidir.</translation>
     </message>
     <message>
-      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masaüstü kamerayı bırakmıyor: %1 onu hâlâ tutuyor; dosya penceresini kapatıp yeniden deneyin.</translation>
     </message>
     <message>
-      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <source>A watched folder has no setting %1; set it on the camera.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İzlenen klasörün %1 ayarı yok; kamerada ayarlayın.</translation>
     </message>
     <message>
-      <source>A watched folder shows no live picture.</source>
+      <source>A watched folder has no live view.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İzlenen klasör canlı görüntü göstermiyor.</translation>
     </message>
     <message>
-      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 saniyede yeni fotoğraf gelmedi; kameranın yazılımı bu klasöre yazıyor mu?</translation>
     </message>
@@ -5841,22 +5841,22 @@
       <translation>İzlenen klasör okunamıyor (%1).</translation>
     </message>
     <message>
-      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir çekim için iki fotoğraf geldi, %1 ve %2; her klasöre bir kamera, her durağa bir fotoğraf.</translation>
     </message>
     <message>
-      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <source>The camera with this serial number is not plugged in; found: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu seri numaralı kamera takılı değil; takılı olan: %1.</translation>
     </message>
     <message>
-      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <source>The camera does not offer %1 for %2; it is set to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %2 için %1 değerini sunmuyor; şu an %3 değerinde.</translation>
     </message>
     <message>
-      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 ayarını %3 yerine %2 değerinde tutuyor; kip düğmesine bakın.</translation>
     </message>
@@ -5871,7 +5871,7 @@
       <translation>Kamera bildiriyor: %1.</translation>
     </message>
     <message>
-      <source>The table has no zero switch.</source>
+      <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın sıfır anahtarı yok.</translation>
     </message>
@@ -5886,7 +5886,7 @@
       <translation>Kilidi açılmadı.</translation>
     </message>
     <message>
-      <source>It did not answer when the shutters were to be fired.</source>
+      <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deklanşörlere basılacağı anda yanıt vermedi.</translation>
     </message>
@@ -5896,17 +5896,17 @@
       <translation>Döner masa yanıt vermiyor.</translation>
     </message>
     <message>
-      <source>The turntable does not come to rest.</source>
+      <source>The turntable does not stop moving.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa durmuyor.</translation>
     </message>
     <message>
-      <source>The turntable does not take its zero.</source>
+      <source>The turntable does not accept its zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa sıfırını kabul etmiyor.</translation>
     </message>
     <message>
-      <source>The controller counts from anew; the table's position is not known.</source>
+      <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Denetleyici baştan sayıyor; masanın konumu bilinmiyor.</translation>
     </message>
@@ -5926,72 +5926,72 @@
       <translation>Deklanşör çıkışı M8, M7, M3 ya da M62 Pn olmalı.</translation>
     </message>
     <message>
-      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masa hareket ederken durduruldu ve konumu yitirildi: sıfır işaretini hizalayın (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın denetleyicisi dönüşün sınırını aştığını söylüyor: $20 ayarını kapatın (ALARM:%1).</translation>
     </message>
     <message>
-      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sıfırlama başarısız oldu: sıfır anahtarına ve kablosuna bakın (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın denetleyicisi alarm verdi (ALARM:%1).</translation>
     </message>
     <message>
-      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Denetleyici komutu anlamıyor: yanlış denetleyici türü ya da bozuk kablo (error:%1).</translation>
     </message>
     <message>
-      <source>The table has no zero switch (error:%1).</source>
+      <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın sıfır anahtarı yok (error:%1).</translation>
     </message>
     <message>
-      <source>The table is still moving (error:%1).</source>
+      <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masa hâlâ hareket ediyor (error:%1).</translation>
     </message>
     <message>
-      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masa kilitli: sıfırlayın ya da kilidini açın (error:%1).</translation>
     </message>
     <message>
-      <source>The table's controller refused a command (error:%1).</source>
+      <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın denetleyicisi bir komutu geri çevirdi (error:%1).</translation>
     </message>
     <message>
-      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masayı saat yönünün tersine %1 dereceye çevirin ve elinizi çekin.</translation>
     </message>
     <message>
-      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir Ostraka fotoğraf listesi değil; parti için başka bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın %1 sürücüsü bilinmiyor; olanlar: grbl, comxim1, comxim2, text, hand.</translation>
     </message>
     <message>
-      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <source>The camera driver %1 is unknown; available: folder, gphoto2, uvc.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kamera sürücüsü bilinmiyor; olanlar: folder, gphoto2, uvc.</translation>
     </message>
     <message>
-      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenek hiç aygıt bildirmiyor; 'ostraka devices' nelerin takılı olduğunu ve oraya nasıl yazılacağını söyler.</translation>
     </message>
@@ -6006,12 +6006,12 @@
       <translation>settle_s ve speed_deg_s pozitif olmalı.</translation>
     </message>
     <message>
-      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'devices' bölümü okunamıyor; README’nin aygıtlar bölümüyle karşılaştırın.</translation>
     </message>
     <message>
-      <source>The number of stops must lie between 3 and 99.</source>
+      <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durak sayısı 3 ile 99 arasında olmalı.</translation>
     </message>
@@ -6021,32 +6021,32 @@
       <translation>Düzeneğin kamerası ya da döner masası yok.</translation>
     </message>
     <message>
-      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeniden çekilecek %1 çekimi yok: bu yüzün 1–%2 durakları ve A–%3 kameraları var.</translation>
     </message>
     <message>
-      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partinin %1 kamerası %2 idi, buradaki %3; partiyi başlatan kameralarla sürdürün ya da başka bir klasör belirtin.</translation>
     </message>
     <message>
-      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masanın konumu bilinmiyor: sıfır işaretini öne çevirin ve sıfırı belirleyin.</translation>
     </message>
     <message>
-      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1, durak %2: %3 kez başarısız oldu: %4.</translation>
     </message>
     <message>
-      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kamerası yalnız önceki ya da bozuk fotoğraflar veriyor; kapatıp açın.</translation>
     </message>
     <message>
-      <source>The turntable does not answer as a %1; is it another one?</source>
+      <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa %1 gibi yanıt vermiyor; başka bir masa mı?</translation>
     </message>
@@ -6061,52 +6061,52 @@
       <translation>metin denetleyicisi</translation>
     </message>
     <message>
-      <source>This table has no zero switch: align it by eye.</source>
+      <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu masanın sıfır anahtarı yok: gözle hizalayın.</translation>
     </message>
     <message>
-      <source>The turntable refuses: %1.</source>
+      <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa geri çeviriyor: %1.</translation>
     </message>
     <message>
-      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <source>The turntable is at %1 degrees instead of %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa %2 yerine %1 derecede duruyor.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın sözcükleri: 'move' içinde {target} ya da {by} olmalı.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın sözcükleri: 'accepted' nasıl yanıt verdiğini söylemeli.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın sözcükleri: 'query' ile 'position' birlikte verilir.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın sözcükleri: 'reply_s' 0’dan büyük olmalı.</translation>
     </message>
     <message>
-      <source>The turntable's words: '%1' is no regular expression.</source>
+      <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın sözcükleri: '%1' bir düzenli ifade değil.</translation>
     </message>
     <message>
-      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın sözcükleri: 'position' için açıyı veren bir öbek gerekir.</translation>
     </message>
     <message>
-      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın 'dialect' değeri "marlin" ya da kendi sözcükleri olmalı.</translation>
     </message>
@@ -6121,17 +6121,17 @@
       <translation>Döner masanın fişi çekildi.</translation>
     </message>
     <message>
-      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın USB bağlantısı kesildi (%1); yeniden takın.</translation>
     </message>
     <message>
-      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <source>You have no permission to use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu USB aygıtını kullanma izniniz yok; packaging/udev/70-ostraka.rules dosyasını kurun ve yeniden takın.</translation>
     </message>
     <message>
-      <source>The turntable is used by another program; close it.</source>
+      <source>Another program uses the turntable; close that program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masayı başka bir program kullanıyor; onu kapatın.</translation>
     </message>
@@ -6141,22 +6141,22 @@
       <translation>Döner masa açılamıyor (%1).</translation>
     </message>
     <message>
-      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <source>This USB device is not a serial controller (CDC-ACM).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu USB aygıtı bir seri denetleyici değil (CDC-ACM).</translation>
     </message>
     <message>
-      <source>The turntable of this serial number is not plugged in.</source>
+      <source>The turntable with this serial number is not plugged in.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu seri numaralı döner masa takılı değil.</translation>
     </message>
     <message>
-      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <source>A USB turntable is named by vendor and product, for example usb:1209:0001.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>USB döner masa, usb:1209:0001 gibi üretici ve ürünle belirtilir.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Video kamera açılamıyor: takılı mı, onu başka bir program kullanıyor mu?</translation>
     </message>
@@ -6181,17 +6181,17 @@
       <translation>Açık değil.</translation>
     </message>
     <message>
-      <source>The video camera gives no pictures any more.</source>
+      <source>The video camera no longer delivers pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Video kamera artık görüntü vermiyor.</translation>
     </message>
     <message>
-      <source>The video camera has taken no picture.</source>
+      <source>The video camera took no picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Video kamera resim çekmedi.</translation>
     </message>
     <message>
-      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Video kamera ayarlanan boyutta değil, %1x%2 piksellik resimler veriyor.</translation>
     </message>
@@ -6201,47 +6201,47 @@
       <translation>Video kamera belirtilmeli.</translation>
     </message>
     <message>
-      <source>the file is cut off or no picture</source>
+      <source>the file is truncated or not a picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>dosya yarım kalmış ya da resim değil</translation>
     </message>
     <message>
-      <source>the markers show another angle than this stop's</source>
+      <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>işaretler bu durağın açısından başka bir açı gösteriyor</translation>
     </message>
     <message>
-      <source>the picture has another size than the camera's others</source>
+      <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>resmin boyutu bu kameranın ötekilerinden farklı</translation>
     </message>
     <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>durağı bulmak için çok az işaret görünüyor: önlerinde bir şey mi var, bulanık mı?</translation>
     </message>
     <message>
-      <source>the camera handed over an earlier photograph once more</source>
+      <source>the camera delivered an earlier photograph again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kamera önceki bir fotoğrafı yeniden verdi</translation>
     </message>
     <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
+      <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>tablanın çok az işareti görünüyor: önlerinde bir şey mi var?</translation>
     </message>
     <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
+      <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bulanık: tabla hâlâ hareket mi ediyordu, odak mı değişti?</translation>
     </message>
     <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
+      <source>the sherds are too dark: add light or increase the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>parçalar çok karanlık: daha çok ışık verin ya da daha uzun pozlayın</translation>
     </message>
     <message>
-      <source>the sherds are burnt out: expose shorter</source>
+      <source>the sherds are overexposed: reduce the exposure time</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>parçalar patlamış: daha kısa pozlayın</translation>
     </message>
@@ -6251,12 +6251,12 @@
       <translation>resmin kenarı bir parçayı kesiyor: onu ya da kamerayı oynatın</translation>
     </message>
     <message>
-      <source>the camera's settings are others than they were: set them back</source>
+      <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kameranın ayarları öncekilerden farklı: geri alın</translation>
     </message>
     <message>
-      <source>%1: set it back</source>
+      <source>%1: restore it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: geri alın</translation>
     </message>
@@ -6276,7 +6276,7 @@
       <translation>Bir partinin uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>There is a batch %1 already.</source>
+      <source>The batch %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisi zaten var.</translation>
     </message>
@@ -6286,17 +6286,17 @@
       <translation>Bu parti katalogda yok.</translation>
     </message>
     <message>
-      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projenin kodu ARM gibi 2–8 büyük harf ya da rakam olmalı.</translation>
     </message>
     <message>
-      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir sözlük teriminde harf olmalı, ';' olmamalı.</translation>
     </message>
     <message>
-      <source>The term '%1' stands twice in the vocabulary.</source>
+      <source>The term &apos;%1&apos; appears twice in the vocabulary.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' terimi sözlükte iki kez var.</translation>
     </message>
@@ -6306,27 +6306,27 @@
       <translation>“%1” terimini taşıyan parçalar: %2; önce onları değiştirin.</translation>
     </message>
     <message>
-      <source>a row of %1 points at nothing</source>
+      <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir %1 satırı hiçbir şeyi göstermiyor</translation>
     </message>
     <message>
-      <source>the tables of the sherds do not fit together</source>
+      <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>parçaların tabloları birbirini tutmuyor</translation>
     </message>
     <message>
-      <source>the search does not know all sherds</source>
+      <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>arama tüm parçaları bilmiyor</translation>
     </message>
     <message>
-      <source>The backup does not hold what was saved; try again.</source>
+      <source>The backup does not contain the saved data; try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yedek, kaydedileni içermiyor; yeniden deneyin.</translation>
     </message>
     <message>
-      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <source>The catalogue cannot be opened; check that the folder exists and is writable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog açılamıyor; klasörün var ve yazılabilir olduğunu denetleyin.</translation>
     </message>
@@ -6336,42 +6336,42 @@
       <translation>Kataloğa yazılamıyor; klasörün izinlerini denetleyin.</translation>
     </message>
     <message>
-      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Disk düzgün yanıt vermiyor; denetleyin, sonra projeyi yeniden açın.</translation>
     </message>
     <message>
-      <source>The catalogue does not take this (%1).</source>
+      <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog bunu kabul etmiyor (%1).</translation>
     </message>
     <message>
-      <source>The scan is no front of this batch.</source>
+      <source>The scan is not a front of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama bu partinin bir ön yüzü değil.</translation>
     </message>
     <message>
-      <source>The scan is no back of this batch.</source>
+      <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama bu partinin bir arka yüzü değil.</translation>
     </message>
     <message>
-      <source>its front has no back any more</source>
+      <source>its front no longer has a back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ön yüzünün artık arka yüzü yok</translation>
     </message>
     <message>
-      <source>A pair has a front and a back.</source>
+      <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir çiftin ön yüzü ve arka yüzü vardır.</translation>
     </message>
     <message>
-      <source>The decision to be taken back is not in this batch.</source>
+      <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri alınacak karar bu partide değil.</translation>
     </message>
     <message>
-      <source>A decision names a front, a back, or both.</source>
+      <source>A decision needs a front, a back or both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir karar ön yüzü, arka yüzü ya da ikisini belirtir.</translation>
     </message>
@@ -6381,92 +6381,92 @@
       <translation>Bir kararın uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>This file does not lie in the project's folder.</source>
+      <source>This file is outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya projenin klasöründe değil.</translation>
     </message>
     <message>
-      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, daha kaba fotoğraflardan bir taslak; kalıcı ölçüler için partiyi yeniden hesaplayın.</translation>
     </message>
     <message>
-      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bunlar 'ostraka process' komutunun tam sonuçları değil; yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çiftler tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>This batch is not in the catalogue any more.</source>
+      <source>This batch is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This photograph is not in the catalogue any more.</source>
+      <source>This photograph is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğraf artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This scan is not in the catalogue any more.</source>
+      <source>This scan is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu tarama artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This file is not in the catalogue any more.</source>
+      <source>This file is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This person is not in the catalogue any more.</source>
+      <source>This person is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kişi artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This site is not in the catalogue any more.</source>
+      <source>This site is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu alan artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This trench is not in the catalogue any more.</source>
+      <source>This trench is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu açma artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This context is not in the catalogue any more.</source>
+      <source>This context is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kontekst artık katalogda yok.</translation>
     </message>
     <message>
-      <source>This bag is not in the catalogue any more.</source>
+      <source>This bag is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu torba artık katalogda yok.</translation>
     </message>
     <message>
-      <source>The filter opens a quotation mark and does not close it.</source>
+      <source>The filter has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç bir tırnak açıyor ve kapatmıyor.</translation>
     </message>
     <message>
-      <source>This is only a part of a sherd's label; read its code again.</source>
+      <source>This is only part of a sherd&apos;s label; scan its code again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, bir parça etiketinin yalnız bir bölümü; kodunu yeniden okutun.</translation>
     </message>
     <message>
-      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç '%1' alanını bilmiyor; sözcüğü olduğu gibi aramak için tırnak içine alın.</translation>
     </message>
     <message>
-      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız ölçüler &lt; ve &gt; ile karşılaştırılır; %1:value yazın.</translation>
     </message>
     <message>
-      <source>The filter is not readable text.</source>
+      <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç okunabilir bir metin değil.</translation>
     </message>
@@ -6476,7 +6476,7 @@
       <translation>'%1' alanı yok.</translation>
     </message>
     <message>
-      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <source>Some of the changes remain because they could not be undone: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değişikliklerin bir kısmı kalıyor, çünkü geri alınamadı: %1</translation>
     </message>
@@ -6486,17 +6486,17 @@
       <translation>Bu türden bir ölçü yok.</translation>
     </message>
     <message>
-      <source>A measurement is never below 0.</source>
+      <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir ölçü hiçbir zaman 0’ın altında olmaz.</translation>
     </message>
     <message>
-      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu proje daha yeni bir Ostraka ile yapılmış (katalog sürümü %1, bu program %2 sürümünü biliyor); onu kurun, hiçbir şey değiştirilmedi.</translation>
     </message>
     <message>
-      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numaralama '%1' karakterini içeremez; yer tutucular arasında harf, rakam, '.', '_', '/' ve '-' kullanılabilir.</translation>
     </message>
@@ -6506,7 +6506,7 @@
       <translation>Numaralama bir yer tutucuyu { ile açıyor ve } ile kapatmıyor.</translation>
     </message>
     <message>
-      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <source>The numbering has no token {%1}; available: site, trench, context, bag, batch, yyyy, yy and n.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numaralamada {%1} yer tutucusu yok; olanlar: site, trench, context, bag, batch, yyyy, yy ve n.</translation>
     </message>
@@ -6516,7 +6516,7 @@
       <translation>{%1} genişliği :04 gibi yazılmalı, en çok 12 hane olabilir.</translation>
     </message>
     <message>
-      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <source>Two tokens are adjacent; put &apos;-&apos; or another character between {%1} and {%2}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki yer tutucu birbirine bitişik; {%1} ile {%2} arasına '-' ya da başka bir işaret koyun.</translation>
     </message>
@@ -6551,52 +6551,52 @@
       <translation>Numara için parçanın partisi gerekir, o da kayıtlı değil.</translation>
     </message>
     <message>
-      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The site %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The trench %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 açması, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The context %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The bag %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 torbası, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <source>The batch %1 contains the character &apos;%2&apos; that is next to it in the number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisi, numarada yanında duran '%2' işaretini içeriyor.</translation>
     </message>
     <message>
-      <source>The number %1 was given before; numbers are never used again.</source>
+      <source>The number %1 was assigned before; numbers are never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası daha önce verilmiş; numaralar bir daha kullanılmaz.</translation>
     </message>
     <message>
-      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <source>The block of numbers up to %1 is used up; assign this computer a new block in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarasına kadar olan blok bitti; ayarlarda bu bilgisayara yeni bir blok verin.</translation>
     </message>
     <message>
-      <source>A decision needs the name of the person who takes it.</source>
+      <source>A decision needs the name of the person who makes it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir karar için onu veren kişinin adı gerekir.</translation>
     </message>
     <message>
-      <source>Two pieces or more are joined.</source>
+      <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki ya da daha çok kırık birleştirilir.</translation>
     </message>
     <message>
-      <source>One piece is cut.</source>
+      <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir tek kırık kesilir.</translation>
     </message>
@@ -6631,32 +6631,32 @@
       <translation>Bir torbanın numarası boş olamaz.</translation>
     </message>
     <message>
-      <source>The name of a person must have at most 200 letters.</source>
+      <source>The name of a person must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kişinin adı çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The person's initials must have at most 200 letters.</source>
+      <source>The person&apos;s initials must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kişinin baş harfleri çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The code of a site must have at most 200 letters.</source>
+      <source>The code of a site must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir alanın kodu çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The code of a trench must have at most 200 letters.</source>
+      <source>The code of a trench must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir açmanın kodu çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The number of a context must have at most 200 letters.</source>
+      <source>The number of a context must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kontekstin numarası çok uzun; en çok 200 harf.</translation>
     </message>
     <message>
-      <source>The number of a bag must have at most 200 letters.</source>
+      <source>The number of a bag must have at most 200 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torbanın numarası çok uzun; en çok 200 harf.</translation>
     </message>
@@ -6666,92 +6666,92 @@
       <translation>uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>The initials %1 belong to another person already.</source>
+      <source>The initials %1 already belong to another person.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 baş harfleri zaten başka bir kişinin.</translation>
     </message>
     <message>
-      <source>The latitude lies between -90 and 90 degrees.</source>
+      <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enlem -90 ile 90 derece arasındadır.</translation>
     </message>
     <message>
-      <source>The longitude lies between -180 and 180 degrees.</source>
+      <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boylam -180 ile 180 derece arasındadır.</translation>
     </message>
     <message>
-      <source>There is a site %1 already.</source>
+      <source>The site %1 already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı zaten var.</translation>
     </message>
     <message>
-      <source>A trench belongs to a site.</source>
+      <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir açma bir alana aittir.</translation>
     </message>
     <message>
-      <source>A trench cannot lie in itself.</source>
+      <source>A trench cannot contain itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir açma kendi içinde olamaz.</translation>
     </message>
     <message>
-      <source>There is a trench %1 in this site already.</source>
+      <source>The trench %1 already exists in this site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu alanda %1 açması zaten var.</translation>
     </message>
     <message>
-      <source>A context belongs to a site.</source>
+      <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kontekst bir alana aittir.</translation>
     </message>
     <message>
-      <source>The trench belongs to another site than the context.</source>
+      <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açma, kontekstten başka bir alana ait.</translation>
     </message>
     <message>
-      <source>There is a context %1 in this place already.</source>
+      <source>The context %1 already exists in this place.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yerde %1 konteksti zaten var.</translation>
     </message>
     <message>
-      <source>A bag belongs to a context.</source>
+      <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torba bir kontekste aittir.</translation>
     </message>
     <message>
-      <source>The weight of a bag is above 0 g.</source>
+      <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torbanın ağırlığı 0 g üzerindedir.</translation>
     </message>
     <message>
-      <source>A count is never below 0.</source>
+      <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir sayım hiçbir zaman 0’ın altında olmaz.</translation>
     </message>
     <message>
-      <source>There is a bag %1 in this context already.</source>
+      <source>The bag %1 already exists in this context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu kontekstte %1 torbası zaten var.</translation>
     </message>
     <message>
-      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör bir ağ paylaşımında (%1); kataloglar orada bozulur. Bu bilgisayarın kendi diskinde bir klasör kullanın ve yedekleri paylaşıma kopyalayın.</translation>
     </message>
     <message>
-      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör bir Ostraka projesi değil: içinde catalogue.sqlite yok.</translation>
     </message>
     <message>
-      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <source>A new project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni proje için yeni ya da boş bir klasör gerekir; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <source>The folder cannot be created; choose a location that you can write to.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasör oluşturulamıyor; yazabileceğiniz bir yer seçin.</translation>
     </message>
@@ -6761,12 +6761,12 @@
       <translation>Dışa aktarmadaki bir uuid düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Karar partiyle birlikte kaydedildi, ama %1 henüz katalogda yok; sonraki sonuçlarla girilecek.</translation>
     </message>
     <message>
-      <source>The field %1 comes from the program.</source>
+      <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı programdan gelir.</translation>
     </message>
@@ -6776,17 +6776,17 @@
       <translation>Geçersiz bir parça numarasını korur.</translation>
     </message>
     <message>
-      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numarada satır sonu, sekme ve '%' olmaz.</translation>
     </message>
     <message>
-      <source>A number has 120 letters at most.</source>
+      <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara en çok 120 karakter olabilir.</translation>
     </message>
     <message>
-      <source>The number %1 would be given twice.</source>
+      <source>The number %1 would be assigned twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası iki kez verilmiş olurdu.</translation>
     </message>
@@ -6796,7 +6796,7 @@
       <translation>%1 dosyaları %2 dosyalarıyla aynı adları taşırdı.</translation>
     </message>
     <message>
-      <source>The number %1 was given before and is never used again.</source>
+      <source>The number %1 was assigned before and is never reused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası daha önce verilmiş ve bir daha kullanılmaz.</translation>
     </message>
@@ -6806,42 +6806,42 @@
       <translation>%1 numarası başka bir parçanın.</translation>
     </message>
     <message>
-      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1', '%2' sözlüğünün bir terimi değil; başka birini seçin ya da ayarlarda ekleyin.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
+      <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>± işaretinden sonra gelen 0’dan büyüktür; belirsizlik bilinmiyorsa 0’dır.</translation>
     </message>
     <message>
-      <source>A measurement is above 0.</source>
+      <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir ölçü 0’dan büyüktür.</translation>
     </message>
     <message>
-      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir parça 1000 mm’den büyük değildir; bu milimetre mi?</translation>
     </message>
     <message>
-      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir parça 20 kg’dan ağır değildir; bu gram mı?</translation>
     </message>
     <message>
-      <source>A share is 100 % at most.</source>
+      <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir pay en çok 100 % olur.</translation>
     </message>
     <message>
-      <source>There is no sherd %1 that it could join.</source>
+      <source>There is no sherd %1 to join.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birleşebileceği bir %1 parçası yok.</translation>
     </message>
     <message>
-      <source>A sherd does not join itself.</source>
+      <source>A sherd cannot join itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça kendisiyle birleşmez.</translation>
     </message>
@@ -6856,17 +6856,17 @@
       <translation>Numaralı bir parçanın konteksti olmalı.</translation>
     </message>
     <message>
-      <source>A sherd gets a number when its context is known.</source>
+      <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça, konteksti bilinince numara alır.</translation>
     </message>
     <message>
-      <source>The table cannot be ordered by '%1'.</source>
+      <source>The table cannot be sorted by &apos;%1&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablo '%1' ile sıralanamıyor.</translation>
     </message>
     <message>
-      <source>A sherd is not in the catalogue any more.</source>
+      <source>A sherd is no longer in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça artık katalogda yok.</translation>
     </message>
@@ -6876,22 +6876,22 @@
       <translation>Bir parçanın uuid değeri düzgün yazılmamış.</translation>
     </message>
     <message>
-      <source>There is a sherd with this uuid already.</source>
+      <source>A sherd with this uuid already exists.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu uuid ile bir parça zaten var.</translation>
     </message>
     <message>
-      <source>A sherd is void for a reason; say which.</source>
+      <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça bir nedenle geçersizdir; nedenini yazın.</translation>
     </message>
     <message>
-      <source>The number %1 stands on two sherds of this plate.</source>
+      <source>The number %1 appears on two sherds of this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası bu tablanın iki parçasında var.</translation>
     </message>
     <message>
-      <source>The number %1 belongs to another sherd already.</source>
+      <source>The number %1 already belongs to another sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası zaten başka bir parçanın.</translation>
     </message>
@@ -6906,32 +6906,32 @@
       <translation>Metin 1 MB’den uzun.</translation>
     </message>
     <message>
-      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <source>The text is not valid UTF-8 or contains a zero byte.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Metin geçerli UTF-8 değil ya da sıfır bayt içeriyor.</translation>
     </message>
     <message>
-      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gün 2026-07-14 gibi yazılır (yıl-ay-gün).</translation>
     </message>
     <message>
-      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarih EDTF ile yazılır: -0599/-0549~ (MÖ 600 – yaklaşık 550), -1149? ya da 0350/.. gibi; yıllar dört hanelidir.</translation>
     </message>
     <message>
-      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Munsell rengi 10YR 3/1 ya da N 4/ gibi yazılır.</translation>
     </message>
     <message>
-      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' bir sayı değil; birim olmadan 12.5 ya da 12,5 yazın.</translation>
     </message>
     <message>
-      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' proje içinde bir yol değil; göreli olmalı, '/' içermeli, '..' içermemeli.</translation>
     </message>
@@ -7086,7 +7086,7 @@
       <translation>Çizim için kapalı bir model gerekir; 'ostraka process' ile yapın.</translation>
     </message>
     <message>
-      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <source>The manifest is missing; not an Ostraka export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya listesi (manifest) eksik; bu bir Ostraka dışa aktarması değil.</translation>
     </message>
@@ -7111,12 +7111,12 @@
       <translation>Buraya yazılamıyor; kalan yeri ve izinleri denetleyin.</translation>
     </message>
     <message>
-      <source>There is a folder of this name already; choose another name.</source>
+      <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>A name in an export must not hold '%'.</source>
+      <source>A name in an export must not contain &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmadaki bir ad '%' içeremez.</translation>
     </message>
@@ -7126,12 +7126,12 @@
       <translation>Dışa aktarmanın iki dosyası aynı adı taşırdı.</translation>
     </message>
     <message>
-      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arada biri bu adda bir klasör oluşturmuş; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <source>Not an Ostraka export: this folder has no bagit.txt.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör bir Ostraka dışa aktarması değil: bagit.txt eksik.</translation>
     </message>
@@ -7156,42 +7156,42 @@
       <translation>Bu dosya eksik; hiçbir şey okunmadı.</translation>
     </message>
     <message>
-      <source>This file was changed after the export; nothing was read.</source>
+      <source>This file has changed since the export; nothing was read.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya dışa aktarmadan sonra değiştirilmiş; hiçbir şey okunmadı.</translation>
     </message>
     <message>
-      <source>There is no context %1; make it, or let the import make it.</source>
+      <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
-      <source>There is no bag %1; make it, or let the import make it.</source>
+      <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 torbası yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
-      <source>The column closed takes yes or no.</source>
+      <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed sütununa yes ya da no yazılır.</translation>
     </message>
     <message>
-      <source>The column count_written takes a whole number.</source>
+      <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>count_written sütununa tam sayı yazılır.</translation>
     </message>
     <message>
-      <source>The row has %1 values, the header %2.</source>
+      <source>The row has %1 values, but the header has %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Satırda %1 değer var, başlıkta %2.</translation>
     </message>
     <message>
-      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' sütunu bilinmiyor; değerleri kendi alanınız olarak saklanıyor.</translation>
     </message>
     <message>
-      <source>The file is no text: it holds binary data, which no table does.</source>
+      <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya metin değil: hiçbir tabloda olmayan ikili veriler içeriyor.</translation>
     </message>
@@ -7206,12 +7206,12 @@
       <translation>Tabloda 1.000.000’dan çok satır var; bölün.</translation>
     </message>
     <message>
-      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. satır hiç kapatılmayan bir tırnak açıyor.</translation>
     </message>
     <message>
-      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. satırda kapanan tırnaktan sonra harfler var.</translation>
     </message>
@@ -7226,37 +7226,37 @@
       <translation>Tablo boş; ilk satırı sütunları adlandırmalı.</translation>
     </message>
     <message>
-      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parçanın henüz modeli yok, bu yüzden çizilemiyor; önce partisini hesaplayın.</translation>
     </message>
     <message>
-      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partisinin ölçüleri şüpheli: bu çizimin boyutu da öyle.</translation>
     </message>
     <message>
-      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız olduğu söylenmiş, ama kenarının hiçbir bölümü ağız olamaz; ağızsız çizildi.</translation>
     </message>
     <message>
-      <source>%1 is not there and was left out.</source>
+      <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 yok ve atlandı.</translation>
     </message>
     <message>
-      <source>%1 is not the photograph that was entered; check it.</source>
+      <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kayda girilen fotoğraf değil; denetleyin.</translation>
     </message>
     <message>
-      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
+      <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parçasının bu modeli ya da resmi kaydedilen değil; %2 partisini yeniden hesaplayın.</translation>
     </message>
     <message>
-      <source>%1 goes along whole: %2</source>
+      <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 olduğu gibi aktarıldı: %2</translation>
     </message>
@@ -7271,7 +7271,7 @@
       <translation>%1 için maske ve duruşlu resim yok: %2</translation>
     </message>
     <message>
-      <source>There is no sherd to export; choose some first.</source>
+      <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarılacak parça yok; önce birkaçını seçin.</translation>
     </message>
@@ -7281,17 +7281,17 @@
       <translation>Satırda ne numara ne de uuid var.</translation>
     </message>
     <message>
-      <source>This stands in two rows of the table.</source>
+      <source>This appears in two rows of the table.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, tablonun iki satırında var.</translation>
     </message>
     <message>
-      <source>This is no uuid.</source>
+      <source>Not a uuid.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir uuid değil.</translation>
     </message>
     <message>
-      <source>The number belongs to another sherd than the uuid.</source>
+      <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara, uuid’nin gösterdiğinden başka bir parçanın.</translation>
     </message>
@@ -7306,62 +7306,62 @@
       <translation>Tablonun bir sütununun adı yok.</translation>
     </message>
     <message>
-      <source>The column '%1' is there twice.</source>
+      <source>The column &apos;%1&apos; appears twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' sütunu iki kez var.</translation>
     </message>
     <message>
-      <source>These places and batches are not written as Ostraka writes them.</source>
+      <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yerler ve partiler Ostraka’nın yazdığı gibi yazılmamış.</translation>
     </message>
     <message>
-      <source>This is no PLY file.</source>
+      <source>Not a PLY file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir PLY dosyası değil.</translation>
     </message>
     <message>
-      <source>This is no GLB file.</source>
+      <source>Not a GLB file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir GLB dosyası değil.</translation>
     </message>
     <message>
-      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dışa aktarmada parça kayıtları (JSON) yok; kayıtlarla birlikte yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projede bu parça başka değerlerle var; onlar kalıyor, farklı olanlar yanlarında _in_%1 ile biten alanlarda saklanıyor.</translation>
     </message>
     <message>
-      <source>This file is not among the files of the export.</source>
+      <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya dışa aktarmanın dosyaları arasında değil.</translation>
     </message>
     <message>
-      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projede bu adda başka bir dosya var; dışa aktarmanın adını değiştirin ve yeniden alın.</translation>
     </message>
     <message>
-      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir parça kaydı değil (ostraka-sherd/1).</translation>
     </message>
     <message>
-      <source>The measurement %1 has another unit than %2.</source>
+      <source>The measurement %1 has a unit other than %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ölçüsünün birimi %2 değil.</translation>
     </message>
     <message>
-      <source>A value of the record has another type than it should.</source>
+      <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydın bir değeri olması gereken türde değil.</translation>
     </message>
     <message>
-      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, tek bir ZIP dosyası için çok büyük; daha az parça seçin.</translation>
     </message>
@@ -8006,7 +8006,7 @@
       <translation>Kırık kenarında 50’den az nokta var; parçayı kenarıyla birlikte yeniden tarayın.</translation>
     </message>
     <message>
-      <source>%1: The board is not seen; this picture is left out.</source>
+      <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ayar levhası görünmüyor; bu resim atlanıyor.</translation>
     </message>
@@ -8021,12 +8021,12 @@
       <translation>Bir işaret ızgarası 'dictionary', 'markers_x', 'markers_y', 'marker_length' ve 'marker_separation' ister.</translation>
     </message>
     <message>
-      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayarlamak için bir şey yok: tablayı her durakta 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasını 'calib' içine fotoğraflayın ve yanlarına plate.json ile board.json dosyalarını kopyalayın.</translation>
     </message>
     <message>
-      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayar levhasının resmi yok; buraya ya da 'calib' içine koyun.</translation>
     </message>
@@ -8036,7 +8036,7 @@
       <translation>Kenara ayrılır.</translation>
     </message>
     <message>
-      <source>%1: its size is not that of the first; it is set aside.</source>
+      <source>%1: its size differs from that of the first picture; it is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: boyutu ilkininki gibi değil; kenara ayrılır.</translation>
     </message>
@@ -8046,12 +8046,12 @@
       <translation>Düzeneğin hesabı bir çözüme varmadı; plate.json ve board.json dosyalarının fotoğraflananı anlattığını denetleyin.</translation>
     </message>
     <message>
-      <source>It does not say how the sheets are bent; delete it, and they are measured again.</source>
+      <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfaların nasıl eğildiğini söylemiyor; dosyayı silin, yeniden ölçülür.</translation>
     </message>
     <message>
-      <source>It does not say what the sherds stand on; delete it, and that is found again.</source>
+      <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaların neyin üzerinde durduğunu söylemiyor; silin, yeniden bulunur.</translation>
     </message>
@@ -8061,17 +8061,17 @@
       <translation>Sayfanın işaretleri %3 tarafının %2 fotoğrafından %1 tanesinde okunabiliyor; en az 3 gerekir. plate.json dosyasının bu sayfayı tanımladığını, fotoğrafların ters çevrilmediğini ve işaretlerin çoğunun resimde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>%1: %2 of the sheet's markers can be read in it, too few for a pose; it is left out.</source>
+      <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: sayfanın %2 işareti okunabiliyor, konum için çok az; dışarıda bırakıldı.</translation>
     </message>
     <message>
-      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); look whether they show this sheet.</source>
+      <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Konum için sayfanın çok az işaretini gösteren fotoğraflar dışarıda bırakılıyor (%1 ve %2 tane daha); bu sayfayı gösterip göstermediklerine bakın.</translation>
     </message>
     <message>
-      <source>%1: most of the sheet&apos;s markers lie elsewhere in it than the other photographs say; it is left out.</source>
+      <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: sayfanın işaretlerinin çoğu bu fotoğrafta ötekilerin gösterdiğinden başka yerde; fotoğraf dışarıda bırakılıyor.</translation>
     </message>
@@ -8081,7 +8081,7 @@
       <translation>Yalnızca bir taraf fotoğraflandı: %1 taraması arkası olmayan açık yüzeylerdir; 'unpaired' içindedir.</translation>
     </message>
     <message>
-      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json yok, bu yüzden tablanın işaretleri kullanılamıyor; 'ostraka plate' komutunun tablayla birlikte yazdığını buraya kopyalayın.</translation>
     </message>
@@ -8096,12 +8096,12 @@
       <translation>Objektifi bunun yerine tablanın işaretlerinden kestirilir.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 objektifi bilinmiyor: ne kullanılabilir ayar levhası resmi ne de tablanın işaretleri var; 'calib' içine ayar levhasının resimlerini ekleyin.</translation>
     </message>
     <message>
-      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 objektifi yalnız tablanın işaretlerinden kestirildi; kesin ölçüler için 'calib' içine ayar levhasının 12 resmini ekleyin.</translation>
     </message>
@@ -8116,57 +8116,57 @@
       <translation>Kamera %1 fotoğraflarının hiçbirinde tablanın iki işareti görünmüyor; bütün fotoğrafları atlanıyor.</translation>
     </message>
     <message>
-      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilinen düzenek artık uymuyor: kamera %1 işaretleri %2 px kaçırıyor; kameraların yerleri bu parti için yeniden kestirilir, düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 işaretinden hiçbiri bu kameranın bu durakta gördüğü yerde değil.</translation>
     </message>
     <message>
-      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir fotoğrafın adını taşıyor ya da tabla dönerken çekilmiş; atlanıyor.</translation>
     </message>
     <message>
-      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: içinde hiç işaret görünmüyor; bu durağı mı gösteriyor? Değilse yeniden çekin.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün yalnız %1 fotoğrafının duruşu bilinir, en az 3 gerekir; tablanın işaretlerinin aydınlık ve resmin içinde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün yalnız %1 fotoğrafının duruşu bilinir, en az 3 gerekir; tablanın işaretlerinin aydınlık ve resmin içinde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1, %2 durağında tablanın altıdan az işaretini görüyor; oradaki ışığa ve odağa, işaretlerin üstünde bir şey olmadığına bakın.</translation>
     </message>
     <message>
-      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız %1 durak fotoğraflandı; eksenin bulunması için tam tur boyunca en az dört durak çekin.</translation>
     </message>
     <message>
-      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sekizden az işaret görüldü, bu yüzden denetim için hiçbir uzaklık ayrılamadı: ölçek denetlenmedi.</translation>
     </message>
     <message>
-      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ve %2 işaretleri arasında %3 mm ölçtünüz, plate.json dosyasına göre %4 mm (%5 %); tablanın cetvelini ölçün ve plate.json dosyasını 'ostraka plate --ruler-measured' ile yeniden yapın.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılamaz: kamera %1 tablanın işaretlerini ortanca %2 px kaçırıyor; fotoğraflar arasında ona dokunuldu mu, yoksa plate.json başka bir tablanın mı?</translation>
     </message>
@@ -8176,22 +8176,22 @@
       <translation>Kullanılamaz: ölçek doğru değil.</translation>
     </message>
     <message>
-      <source>Good: lenses, places and scale are determined.</source>
+      <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İyi: objektifler, yerler ve ölçek belirlendi.</translation>
     </message>
     <message>
-      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız deneme için kullanılabilir: kamera %1 objektifi yalnız tablanın işaretlerinden geliyor.</translation>
     </message>
     <message>
-      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılabilir, ama bir odak uzaklığı binde birden daha iyi bilinmiyor.</translation>
     </message>
     <message>
-      <source>Usable; what is named below would make it better.</source>
+      <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılabilir; aşağıda anılanlar onu iyileştirir.</translation>
     </message>
@@ -8206,32 +8206,32 @@
       <translation>Kamera %1: odak uzaklığı %2 px (%3 %), ayar levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı %2 px (%3 %), tablanın işaretleri ortanca %4 px.</translation>
     </message>
     <message>
-      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı %2 px (%3 %), ayar levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik, tablanın işaretleri ortanca %9 px.</translation>
     </message>
     <message>
-      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhasının 12 resmini çekin; yakından ve uzaktan, resmin bütün köşelerinde, değişik yönlere 20 ile 45 derece eğik.</translation>
     </message>
     <message>
-      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız 1 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız %2 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası resmin şu bölgelerine pek ulaşmıyor: %2; ayar levhasının orada olduğu resimler ekleyin.</translation>
     </message>
@@ -8301,12 +8301,12 @@
       <translation>Tablanın işaretlerinde geri izdüşüm hatası %1 px.</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <source>Scale: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %).</translation>
     </message>
     <message>
-      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <source>Scale: markers %1 and %2, measured by hand as %3 mm between the midpoints of their outer edges, are %4 mm apart in the photographs (%5 %).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek: %1 ve %2 işaretlerinin dış kenarlarının ortaları arası elle %3 mm, fotoğraflarda %4 mm (%5 %).</translation>
     </message>
@@ -8316,7 +8316,7 @@
       <translation>Kenara ayrıldı: %1</translation>
     </message>
     <message>
-      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Objektif biliniyor, kameraların yerleri bilinmiyor: düzenek kaydedilemez.</translation>
     </message>
@@ -8326,27 +8326,27 @@
       <translation>Kullanılamaz: odak uzaklığı belirlenmedi.</translation>
     </message>
     <message>
-      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablayı işaretleriyle de fotoğraflayın: her kamera ve durak için bir resmi plate.json yanındaki 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasının resimlerini 'calib' içine koyun.</translation>
     </message>
     <message>
-      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilinen uzunluğun %1 işareti iki kez görünmüyor; tablanın fotoğraflarda görünen iki işaretini verin.</translation>
     </message>
     <message>
-      <source>A known length needs two different markers and millimetres above zero.</source>
+      <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilinen bir uzunluk iki ayrı işaret ve sıfırdan büyük milimetre ister.</translation>
     </message>
     <message>
-      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Böyle bir klasör yok; tablanın ya da ayar levhasının fotoğrafları olan birini verin.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' için beşten fazla bozulma terimi anlaşılmıyor; önce fotoğraflarının bozulmasını giderin.</translation>
     </message>
@@ -8366,12 +8366,12 @@
       <translation>Bir resimde file, width, height, K, R ya da t eksik (%1).</translation>
     </message>
     <message>
-      <source>The camera file holds no list 'images'.</source>
+      <source>The camera file has no list &apos;images&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera dosyasında 'images' listesi yok.</translation>
     </message>
     <message>
-      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP kamerası %1, '%2' modelini ya da burada kullanılamayan değerler taşıyor; yerine OPENCV kullanın.</translation>
     </message>
@@ -8381,117 +8381,117 @@
       <translation>COLMAP modelinde '%1' resmi için kamera yok.</translation>
     </message>
     <message>
-      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya bozuk ya da COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. satır COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>This photograph is posed without its mask.</source>
+      <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğrafın duruşu maskesi olmadan bulunur.</translation>
     </message>
     <message>
-      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json olmadan duruşlar COLMAP’ten gelir, o da kurulu değil; 'colmap' paketini kurun ya da işaretli bir tabla üzerinde fotoğraflayın.</translation>
     </message>
     <message>
-      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP, %2 fotoğraftan %1 tanesinin duruşunu buldu, çok az; maske verin ya da işaretli bir tabla üzerinde fotoğraflayın.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek doğru değil: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %); plate.json dosyasının bu tablanın olduğunu, tablanın doğru basılıp yapıştırıldığını ve bilinen düzeneğin onunla ayarlandığını denetleyin.</translation>
     </message>
     <message>
-      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 ile karşılaştırıldığında kamera %2, düzenek ayarlandığından beri %3 mm kaymış ve %4 derece dönmüş.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve ayar levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
     </message>
     <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir resimde ayar levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
     </message>
     <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir ayar levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve ayar levhasının düzlüğünü denetleyin.</translation>
     </message>
     <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: en kötü resim %2, %3 px ile; yeniden çekin ya da çıkarın.</translation>
     </message>
     <message>
-      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız %2 ayar resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
     </message>
     <message>
-      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir kamera ayar resimlerini açıklamıyor.</translation>
     </message>
     <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve ayar levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
     </message>
     <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir resimde ayar levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
     </message>
     <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir ayar levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve ayar levhasının düzlüğünü denetleyin.</translation>
     </message>
     <message>
-      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: en kötü resim %2, %3 px ile; yeniden çekin ya da çıkarın.</translation>
     </message>
     <message>
-      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ayar levhası yalnız %2 ayar resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
     </message>
     <message>
-      <source>camera %1: No camera explains the calibration pictures.</source>
+      <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: hiçbir kamera ayar resimlerini açıklamıyor.</translation>
     </message>
     <message>
-      <source>%1: the board is not seen in it; it is set aside.</source>
+      <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: içinde ayar levhası görünmüyor; kenara ayrılır.</translation>
     </message>
     <message>
-      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1' işaret sözlüğü bilinmiyor; DICT_4X4_100 gibi birini kullanın.</translation>
     </message>
     <message>
-      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <source>The markers&apos; side must be between 5 and 200 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İşaretlerin kenarı 5 ile 200 mm arasında olmalı.</translation>
     </message>
     <message>
-      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <source>The plate&apos;s diameter must be between 1 and 2000 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın çapı 1 ile 2000 mm arasında olmalı.</translation>
     </message>
@@ -8516,12 +8516,12 @@
       <translation>%1 mm’lik işaretler %2 mm’lik tablada parçaya yer bırakmaz; tablayı büyütün.</translation>
     </message>
     <message>
-      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <source>The printer&apos;s margin must be between 0 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yazıcının kenar payı 0 ile 40 mm arasında olmalı.</translation>
     </message>
     <message>
-      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yaprakların üst üste binmesi 5 ile 40 mm arasında olmalı.</translation>
     </message>
@@ -8531,42 +8531,42 @@
       <translation>%1 sözlüğünde bu tabla için çok az işaret var.</translation>
     </message>
     <message>
-      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cetvelin ölçüsü, tablaya sığan mm cinsinden bir uzunluk olmalı.</translation>
     </message>
     <message>
-      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu tablanın cetveli %1 mm çizildi, %2 mm onda birden çok sapıyor; dosyayı 'sayfaya sığdır' olmadan 100 % basın ve yeniden ölçün.</translation>
     </message>
     <message>
-      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 kovaryansının boyutu başka; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>This rig was written by another version; calibrate the rig again.</source>
+      <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu düzeneği başka bir sürüm yazmış; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>Camera %1 stands twice in the rig.</source>
+      <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 düzenekte iki kez geçiyor.</translation>
     </message>
     <message>
-      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir düzenek dosyası (RIG.json) değil; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>The rig has no camera; calibrate it again.</source>
+      <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzeneğin kamerası yok; yeniden ayarlayın.</translation>
     </message>
     <message>
-      <source>This file is there already and is no rig; name another one.</source>
+      <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya zaten var ve düzenek değil; başka birini verin.</translation>
     </message>
@@ -8576,12 +8576,12 @@
       <translation>Günlük yazılamıyor.</translation>
     </message>
     <message>
-      <source>No process can be started.</source>
+      <source>A process cannot be started.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir işlem başlatılamıyor.</translation>
     </message>
     <message>
-      <source>The program was lost.</source>
+      <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Program yitirildi.</translation>
     </message>
@@ -8591,7 +8591,7 @@
       <translation>Program başlatılamıyor; kurun.</translation>
     </message>
     <message>
-      <source>%1 ended with an error; its words are in this file.</source>
+      <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bir hatayla bitti; bildirileri bu dosyada.</translation>
     </message>
@@ -8721,12 +8721,12 @@
       <translation>Kamera hiç fotoğraf çekmedi.</translation>
     </message>
     <message>
-      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP bu fotoğrafların nasıl bir araya geldiğini bulamıyor; iletileri bu dosyada. Hepsinin aynı parçaları bolca örtüşerek gösterip göstermediğine bakın ya da işaretli tablada fotoğraf çekin.</translation>
     </message>
     <message>
-      <source>This model is gone; compute its batch again.</source>
+      <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu model artık yok; partisini yeniden hesaplayın.</translation>
     </message>
@@ -8736,7 +8736,7 @@
       <translation>Bu parça geçersiz.</translation>
     </message>
     <message>
-      <source>This sherd is void, because: %1</source>
+      <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parça geçersiz, çünkü: %1</translation>
     </message>
@@ -8781,7 +8781,7 @@
       <translation>cidar %1 mm</translation>
     </message>
     <message>
-      <source>A bag lies in a context; enter the context first.</source>
+      <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir torba bir kontekstte bulunur; önce konteksti girin.</translation>
     </message>
@@ -8791,7 +8791,7 @@
       <translation>%1 konteksti %2 torbasını içermiyor; torbayı da aynı anda değiştirin ya da boşaltın.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 kontekstinde henüz %1 torbası yok; onu çekimde yazın ya da onu içeren bir kontekst tablosu içe aktarın.</translation>
     </message>
@@ -8801,12 +8801,12 @@
       <translation>Dudak sanılan yer bir kırık olabilir (dudak olma olasılığı %1 %) ve çap yanlış olabilir; parçanın nasıl durduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>This batch is being photographed; it is computed when that is done.</source>
+      <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti şu anda fotoğraflanıyor; bitince hesaplanır.</translation>
     </message>
     <message>
-      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmada bulunmayan ya da girilmeyen parçalarla birleşmeler dışarıda bırakıldı: %1; bunları elle girin.</translation>
     </message>
@@ -8816,7 +8816,7 @@
       <translation>'%1', %2 ya da %3 diye okunabilir; ikisinden birini yazın.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; name both.</source>
+      <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
     </message>
@@ -8831,12 +8831,12 @@
       <translation>%1, maskesi düzeltildikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
     </message>
     <message>
-      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are corrected.</source>
+      <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>
     <message>
-      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası, henüz hesaplanmamış %2 içindeki bir parçaya yazıldı.</translation>
     </message>
@@ -8846,7 +8846,7 @@
       <translation>Daha önceki bir çizimin bir sayfası var ve üzerine yazılmaz; başka bir ad seçin ya da onu kaldırın.</translation>
     </message>
     <message>
-      <source>A number follows the sign =.</source>
+      <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>= işaretinden sonra bir numara gelir.</translation>
     </message>
@@ -8941,12 +8941,12 @@
       <translation>Bu adda bir dosya zaten var; üzerine yazılmaz.</translation>
     </message>
     <message>
-      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarım, projede böyle bir dosyanın yeri olmayan bir konum belirtiyor; hiçbir şey girilmedi.</translation>
     </message>
     <message>
-      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
     </message>
@@ -8996,7 +8996,7 @@
         <translation>bir sayfa değişmiş</translation>
     </message>
     <message>
-        <source>its pages do not fit together</source>
+        <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sayfaları birbirini tutmuyor</translation>
     </message>
@@ -9016,37 +9016,37 @@
         <translation>dosya başka bir programa ait</translation>
     </message>
     <message>
-        <source>the file holds no catalogue</source>
+        <source>the file contains no catalogue</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>dosyada katalog yok</translation>
     </message>
     <message>
-        <source>the header contradicts itself</source>
+        <source>the header is inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>başlık kendisiyle çelişiyor</translation>
     </message>
     <message>
-        <source>it holds no project</source>
+        <source>it contains no project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>içinde proje yok</translation>
     </message>
     <message>
-        <source>The catalogue cannot be read; check that it is there, and its permissions.</source>
+        <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Katalog okunamıyor; yerinde olup olmadığını ve izinlerini denetleyin.</translation>
     </message>
     <message>
-        <source>This project can only be read, and there is no room for a copy to read it from; make room in the folder for temporary files.</source>
+        <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bu proje yalnızca okunabilir ve okumak için bir kopyaya yer yok; geçici dosyalar klasöründe yer açın.</translation>
     </message>
     <message>
-        <source>This project was made with an older Ostraka and can only be read here; copy it to a folder that you may write to, and open it there.</source>
+        <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bu proje daha eski bir Ostraka ile yapılmış ve burada yalnızca okunabilir; yazabildiğiniz bir klasöre kopyalayıp orada açın.</translation>
     </message>
     <message>
-        <source>The catalogue is damaged, and no backup of it is whole; copy one into the folder backups, from an archive or another disk, then repair it again.</source>
+        <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Katalog bozuk ve hiçbir yedeği sağlam değil; bir arşivden ya da başka bir diskten backups klasörüne bir yedek kopyalayıp yeniden onarın.</translation>
     </message>
@@ -9056,17 +9056,17 @@
         <translation>Bu proje başka bir programda açık; orada kapatıp sonra onarın.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds' numbers, or columns for site and context (contexts); say which they are.</source>
+        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tabloda parça numaraları için bir sütun ya da alan ve kontekst sütunları (kontekstler) olmalı; hangileri olduğunu belirtin.</translation>
     </message>
     <message>
-        <source>Of %1 rows %2 are entered; the same import enters the others.</source>
+        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 satırdan %2 tanesi girildi; aynı içe aktarma ötekileri girer.</translation>
     </message>
     <message>
-      <source>The column &apos;%1&apos; says the same as &apos;%2&apos;; its values are kept as a field of your own.</source>
+      <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&apos;%1&apos; sütunu &apos;%2&apos; ile aynı şeyi söylüyor; değerleri kendi alanınız olarak saklanır.</translation>
     </message>

@@ -19,7 +19,7 @@ Result<ContainedPath> ContainedPath::parse(std::string_view text) {
   const auto refused = [&] {
     return Error::unusable(
         "'" + std::string(text.substr(0, kMostOfAPart)) +
-        "' is no path inside the project; it must be relative, with '/' and without '..'.");
+        "' is not a path inside the project; it must be relative, with '/' and without '..'.");
   };
   if (text.size() > kMostBytes || std::any_of(text.begin(), text.end(), isControl) ||
       text.find('\\') != std::string_view::npos || (text.size() > 1 && text[1] == ':'))

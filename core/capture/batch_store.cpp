@@ -23,10 +23,11 @@ constexpr const char* kArriving = ".arriving";
 
 Error cannotWrite(const fs::path& path, int reason) {
   std::string what = "This cannot be written (" + std::string(std::strerror(reason)) +
-                     "); choose another folder for the batch, or check its permissions.";
-  if (reason == ENOSPC) what = "The disk is full; free some space and shoot on.";
+                     "); choose another folder for the batch or check its permissions.";
+  if (reason == ENOSPC) what = "The disk is full; free some space, then continue shooting.";
   if (reason == EEXIST)
-    what = "A file of this name is there already and is not overwritten; name another batch.";
+    what =
+        "A file with this name already exists and is not overwritten; choose another batch name.";
   return {ErrorCode::CannotWrite, what, path.string()};
 }
 
@@ -91,9 +92,10 @@ Result<void> isThisPlate(const fs::path& file, const batch::Plate& plate) {
     same = there->markers[i].id == plate.markers[i].id &&
            (there->markers[i].corners[0] - plate.markers[i].corners[0]).norm() < 1e-3;
   if (same) return {};
-  return Error{ErrorCode::UnusableInput,
-               "The batch was begun on another plate: go on with that one, or begin another batch.",
-               file.string()};
+  return Error{
+      ErrorCode::UnusableInput,
+      "This batch started on another plate; continue with that plate or start a new batch.",
+      file.string()};
 }
 
 Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
@@ -165,9 +167,9 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
   }
   if (m.stops != stops || m.cameras != cameras)
     return Error{ErrorCode::UnusableInput,
-                 "The batch was begun with " + std::to_string(m.cameras) + " cameras and " +
-                     std::to_string(m.stops) + " stops, not with " + std::to_string(cameras) +
-                     " and " + std::to_string(stops) + "; name another folder.",
+                 "This batch started with " + std::to_string(m.cameras) + " cameras and " +
+                     std::to_string(m.stops) + " positions, not with " + std::to_string(cameras) +
+                     " and " + std::to_string(stops) + "; choose another folder.",
                  batch.string()};
   if (const Result<void> kept = keepPlate(batch, plate); !kept) return kept.error();
   if (const Result<void> tidied = store.tidyUp(side); !tidied) return tidied.error();
@@ -210,7 +212,7 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
       const Result<std::string> bytes = readFile(fileOf(entry));
       if (bytes && bytes->size() == entry.bytes && sha256(*bytes) == entry.sha256) continue;
       return Error{ErrorCode::UnusableInput,
-                   "The photograph was changed since it was taken; put the original back, or name "
+                   "The photograph has changed since it was taken; restore the original or choose "
                    "another folder for the batch.",
                    fileOf(entry).string()};
     }
@@ -218,7 +220,7 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
     // before they wrote the manifest.
     const std::string aside = asideName(entry.file, entry.take);
     entry.used = false;
-    entry.reason = "the file is gone";
+    entry.reason = "the file is missing";
     if (!fs::exists(batch_ / aside, absent)) continue;
     entry.file = aside;
     entry.reason = "set aside";
@@ -233,9 +235,10 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
     if (name.ends_with(kArriving)) {
       left_over.push_back(e.path());
     } else if (name.starts_with("cam") && !ours.contains(name)) {
-      return Error{ErrorCode::UnusableInput,
-                   "This photograph was not taken here; name another folder for the batch.",
-                   e.path().string()};
+      return Error{
+          ErrorCode::UnusableInput,
+          "This photograph does not belong to this batch; choose another folder for the batch.",
+          e.path().string()};
     }
   }
   const std::string raw_of_side = std::string(".") + batch::name(side) + "_";
@@ -349,11 +352,11 @@ std::vector<std::string> BatchStore::otherSettings(
   for (const auto& [name, now] : entry.settings) {
     if (const auto rig = of_rig.find(name); rig != of_rig.end()) {
       if (rig->second != now)
-        others.push_back(name + " is " + now + ", the rig says " + rig->second);
+        others.push_back(name + " is " + now + ", but the rig specifies " + rig->second);
     } else if (first != manifest_.entries.end()) {
       const auto then = first->settings.find(name);
       if (then != first->settings.end() && then->second != now)
-        others.push_back(name + " is " + now + ", at the first photograph it was " + then->second);
+        others.push_back(name + " is " + now + ", but the first photograph used " + then->second);
     }
   }
   return others;

@@ -52,8 +52,8 @@ class ComXimTurntable final : public Turntable {
     }
     if (!answered)
       return Error{ErrorCode::Missing,
-                   "The turntable does not answer like a ComXim: is it switched on, and is it of "
-                   "this type?",
+                   "The turntable does not answer like a ComXim; check that it is switched on and "
+                   "of this type.",
                    where_};
     if (brackets()) {
       // Two spellings are about. An argument that is no number moves nothing: error 71 means that
@@ -97,7 +97,7 @@ class ComXimTurntable final : public Turntable {
     if (tells_angle_) {
       const Result<std::optional<double>> angle = restingAngle(stop);
       if (!angle) return angle.error();
-      if (!*angle) return gone("The turntable does not tell where it stands.");
+      if (!*angle) return gone("The turntable does not report its position.");
       base_deg_ = **angle;
     }
     setPosition(0);
@@ -106,10 +106,10 @@ class ComXimTurntable final : public Turntable {
 
   Result<void> moveTo(double degrees, std::stop_token stop) override {
     if (!std::isfinite(degrees))
-      return Error{ErrorCode::UnusableInput, "The angle is no number.", where_};
+      return Error{ErrorCode::UnusableInput, "The angle is not a number.", where_};
     if (!position_deg())
-      return Error{ErrorCode::NotEnough, "The table's position is not known: home it, or align it.",
-                   where_};
+      return Error{ErrorCode::NotEnough,
+                   "The turntable's position is unknown: home it or align it.", where_};
     halt_ = false;
     for (int turn = 0; turn < kMostTurns; ++turn) {
       const double by = degrees - *position_deg();
@@ -119,8 +119,8 @@ class ComXimTurntable final : public Turntable {
     }
     if (std::abs(degrees - *position_deg()) <= kTolerance_deg) return {};
     setPosition(std::nullopt);
-    return Error{ErrorCode::Failed, "The turntable does not reach its angle; is it blocked?",
-                 where_};
+    return Error{ErrorCode::Failed,
+                 "The turntable does not reach its angle; check that nothing blocks it.", where_};
   }
 
   void stopNow() override { halt_ = true; }
@@ -143,8 +143,8 @@ class ComXimTurntable final : public Turntable {
   Error gone(const std::string& what) const { return {ErrorCode::Missing, what, where_}; }
   Error refused(const ComXimReply& reply) const {
     return {ErrorCode::Failed,
-            "The turntable refused a command (error " + std::to_string(reply.error) +
-                "): wrong type of table, or a bad cable.",
+            "The turntable rejected a command (error " + std::to_string(reply.error) +
+                "): wrong turntable type or bad cable.",
             where_};
   }
   void setPosition(std::optional<double> degrees) {
@@ -196,7 +196,7 @@ class ComXimTurntable final : public Turntable {
       if (reply.kind == Kind::Arrived) return true;
       if (reply.kind == Kind::Paused) {
         setPosition(std::nullopt);
-        return Error{ErrorCode::Failed, "The turntable was paused at its own button.", where_};
+        return Error{ErrorCode::Failed, "The turntable was paused with its own button.", where_};
       }
     }
     return false;
@@ -245,8 +245,8 @@ class ComXimTurntable final : public Turntable {
     if (tells_angle_) return readPosition(start + by, stop);
     if (!*arrived || reply->kind != Kind::Accepted)
       return Error{ErrorCode::NotEnough,
-                   "A reply of the turntable was lost and it cannot tell where it stands: home "
-                   "it, or align it.",
+                   "A reply from the turntable was lost, and it cannot report its position: home "
+                   "it or align it.",
                    where_};
     setPosition(start + by);
     return {};
@@ -256,7 +256,7 @@ class ComXimTurntable final : public Turntable {
   Result<void> readPosition(double near, std::stop_token stop) {
     const Result<std::optional<double>> angle = restingAngle(stop);
     if (!angle) return angle.error();
-    if (!*angle) return gone("The turntable does not tell where it stands.");
+    if (!*angle) return gone("The turntable does not report its position.");
     const double within = **angle - base_deg_;
     setPosition(within + 360 * std::round((near - within) / 360));
     return {};
@@ -317,7 +317,7 @@ ComXimReply parseComXimReply(std::string_view message, ComXimDialect dialect) {
 
 Result<void> ComXimOptions::check() const {
   if (speed_deg_s > 0) return {};
-  return Error{ErrorCode::UnusableInput, "The table's speed must be more than 0.", {}};
+  return Error{ErrorCode::UnusableInput, "The turntable's speed must be greater than 0.", {}};
 }
 
 Result<std::unique_ptr<Turntable>> openComXim(std::unique_ptr<ByteChannel> channel,

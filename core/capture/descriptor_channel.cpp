@@ -44,14 +44,14 @@ class DescriptorChannel final : public ByteChannel {
   Result<void> write(std::string_view bytes) override {
     const double deadline_s = clock_->now_s() + kWrite_s;
     while (!bytes.empty()) {
-      if (fd_ < 0) return gone("is not open");
+      if (fd_ < 0) return gone("it is not open");
       const ssize_t n = send(fd_, bytes);
       if (n > 0) {
         bytes.remove_prefix(static_cast<std::size_t>(n));
         continue;
       }
       if (n < 0 && errno != EAGAIN && errno != EINTR) return gone(std::strerror(errno));
-      if (clock_->now_s() > deadline_s) return gone("takes no more bytes");
+      if (clock_->now_s() > deadline_s) return gone("it accepts no more data");
       pollfd wait{fd_, POLLOUT, 0};
       ::poll(&wait, 1, 50);
     }
@@ -61,7 +61,7 @@ class DescriptorChannel final : public ByteChannel {
   Result<std::string> read(double timeout_s, std::stop_token stop) override {
     const double deadline_s = clock_->now_s() + timeout_s;
     while (true) {
-      if (fd_ < 0) return gone("is not open");
+      if (fd_ < 0) return gone("it is not open");
       const double left_s = std::max(0.0, deadline_s - clock_->now_s());
       pollfd wait{fd_, POLLIN, 0};
       ::poll(&wait, 1, static_cast<int>(std::ceil(1000 * std::min(left_s, kPoll_s))));
@@ -69,7 +69,7 @@ class DescriptorChannel final : public ByteChannel {
         char bytes[512];
         const ssize_t n = ::read(fd_, bytes, sizeof bytes);
         if (n > 0) return std::string(bytes, static_cast<std::size_t>(n));
-        if (n == 0) return gone("was closed at the other end");
+        if (n == 0) return gone("it was closed at the other end");
         if (errno != EAGAIN && errno != EINTR) return gone(std::strerror(errno));
       }
       if (stop.stop_requested() || clock_->now_s() >= deadline_s) return std::string();
@@ -97,7 +97,7 @@ class DescriptorChannel final : public ByteChannel {
 
  private:
   Error gone(const std::string& why) const {
-    return {ErrorCode::Missing, "The line to the turntable is broken (" + why + ").", name_};
+    return {ErrorCode::Missing, "The connection to the turntable failed (" + why + ").", name_};
   }
 
   std::string name_;
@@ -123,19 +123,20 @@ Result<int> openPort(const std::string& path, speed_t speed) {
   if (fd < 0) {
     if (errno == EACCES)
       return missing(
-          "You may not use this serial port; install the udev rules of Ostraka, or join the group "
-          "dialout, and log in again.");
-    if (errno == EBUSY) return missing("The serial port is used by another program; close it.");
-    return missing("The serial port is not there; is the turntable plugged in and switched on?");
+          "You have no permission to use this serial port; install Ostraka's udev rules or join "
+          "the group dialout, then log in again.");
+    if (errno == EBUSY) return missing("Another program uses the serial port; close that program.");
+    return missing(
+        "The serial port does not exist; check that the turntable is plugged in and switched on.");
   }
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
     ::close(fd);
-    return missing("The serial port is used by another program; close it.");
+    return missing("Another program uses the serial port; close that program.");
   }
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) {
     ::close(fd);
-    return missing("This is no serial port.");
+    return missing("Not a serial port.");
   }
   ::ioctl(fd, TIOCEXCL);
   ::cfmakeraw(&settings);
@@ -147,7 +148,7 @@ Result<int> openPort(const std::string& path, speed_t speed) {
   ::cfsetospeed(&settings, speed);
   if (::tcsetattr(fd, TCSANOW, &settings) != 0) {
     ::close(fd);
-    return missing("The serial port does not take its settings.");
+    return missing("The serial port does not accept its settings.");
   }
   ::tcflush(fd, TCIOFLUSH);
   return fd;
@@ -159,7 +160,7 @@ Result<int> connectTo(const std::string& host, const std::string& port) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   if (::getaddrinfo(host.c_str(), port.c_str(), &hints, &found) != 0)
-    return Error{ErrorCode::Missing, "The turntable's address is not known in this network.", name};
+    return Error{ErrorCode::Missing, "The turntable's address is unknown on this network.", name};
   const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owner(found, ::freeaddrinfo);
   for (const addrinfo* a = found; a != nullptr; a = a->ai_next) {
     const int fd = ::socket(a->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
@@ -176,7 +177,7 @@ Result<int> connectTo(const std::string& host, const std::string& port) {
       return fd;
     ::close(fd);
   }
-  return Error{ErrorCode::Missing, "The turntable does not answer in the network.", name};
+  return Error{ErrorCode::Missing, "The turntable does not answer on the network.", name};
 }
 
 }  // namespace
@@ -190,8 +191,8 @@ Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int bau
   const std::optional<speed_t> speed = speedOf(baud);
   if (!speed)
     return Error{ErrorCode::UnusableInput,
-                 "A serial port cannot work at " + std::to_string(baud) +
-                     " baud; usual are 9600 and 115200.",
+                 "A serial port does not support " + std::to_string(baud) +
+                     " baud; common rates are 9600 and 115200.",
                  path};
   const auto open = [path, speed] { return openPort(path, *speed); };
   const Result<int> fd = open();

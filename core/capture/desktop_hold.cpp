@@ -26,8 +26,8 @@ Result<void> releaseFromDesktop(const std::vector<FoundDevice>& devices, const R
   for (const FoundDevice& device : find_again())
     if (const auto holders = desktopHolders({device}); !holders.empty())
       return Error{ErrorCode::Failed,
-                   "The desktop does not let go of the camera: it is still held by " +
-                       holders.front() + "; close its window of files and try again.",
+                   "The desktop does not release the camera: it is still in use by " +
+                       holders.front() + "; close its file window and try again.",
                    device.model};
   return {};
 }

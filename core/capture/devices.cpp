@@ -75,14 +75,14 @@ void judgeUse(const fs::path& node, const SystemFolders& folders, FoundDevice& d
   if (!fs::exists(node, absent)) return;
   if (::access(node.c_str(), R_OK | W_OK) != 0)
     device.troubles.push_back(
-        "You may not use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug "
-        "it in again.");
+        "You have no permission to use it: copy packaging/udev/70-ostraka.rules to "
+        "/etc/udev/rules.d/ and plug it in again.");
   for (const std::string& holder : holdersOf(node, folders)) {
     device.holders.push_back(holder);
     const bool desktop = holder.starts_with("gvfs");
     device.troubles.push_back(
-        "It is held by " + holder +
-        (desktop ? ": 'ostraka devices --release' makes it let go." : ": close that program."));
+        "It is in use by " + holder +
+        (desktop ? ": 'ostraka devices --release' releases it." : ": close that program."));
   }
 }
 

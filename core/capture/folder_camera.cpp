@@ -40,10 +40,10 @@ class FolderCamera final : public Camera {
   Result<std::vector<CameraSetting>> settings() override { return std::vector<CameraSetting>{}; }
   Result<CameraSetting> set(const std::string& name, const std::string&) override {
     return Error{ErrorCode::UnusableInput,
-                 "A watched folder has no setting " + name + "; set it at the camera.", where()};
+                 "A watched folder has no setting " + name + "; set it on the camera.", where()};
   }
   Result<std::string> preview(std::stop_token) override {
-    return Error{ErrorCode::Missing, "A watched folder shows no live picture.", where()};
+    return Error{ErrorCode::Missing, "A watched folder has no live view.", where()};
   }
   bool triggersItself() const override { return false; }
   Result<void> trigger() override { return {}; }
@@ -76,9 +76,9 @@ class FolderCamera final : public Camera {
       }
       if (clock_->now_s() >= deadline_s)
         return Error{ErrorCode::Missing,
-                     "No new photograph came within " +
+                     "No new photograph arrived within " +
                          std::to_string(static_cast<int>(timeout_s)) +
-                         " seconds; is the camera's software writing into this folder?",
+                         " seconds; check that the camera's software writes into this folder.",
                      where()};
       if (!clock_->sleep(options_.poll_s, stop)) return Error::cancelled();
     }
@@ -122,9 +122,9 @@ class FolderCamera final : public Camera {
       if (!batch::hasPhotographEnding(file)) continue;
       if (!photograph.empty())
         return Error{ErrorCode::UnusableInput,
-                     "Two photographs came for one shot, " + photograph + " and " +
+                     "Two photographs arrived for one shot, " + photograph + " and " +
                          file.filename().string() +
-                         "; one camera per folder, one photograph per stop.",
+                         "; use one folder per camera and one photograph per position.",
                      where()};
       photograph = file.filename().string();
     }

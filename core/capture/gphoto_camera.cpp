@@ -76,7 +76,7 @@ class GphotoCamera final : public Camera {
     }
     if (!others.empty() && best.error().what == "The camera is not plugged in.")
       return Error{ErrorCode::Missing,
-                   "The camera of this serial number is not plugged in; there is: " + others + ".",
+                   "The camera with this serial number is not plugged in; found: " + others + ".",
                    serial_};
     return best;
   }
@@ -103,7 +103,7 @@ class GphotoCamera final : public Camera {
     if (before->read_only ||
         (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end()))
       return Error{ErrorCode::UnusableInput,
-                   "The camera does not offer " + value + " for " + name + "; it stands at " +
+                   "The camera does not offer " + value + " for " + name + "; it is set to " +
                        before->value + ".",
                    serial_};
     const std::string key = keyOf(name);
@@ -113,7 +113,7 @@ class GphotoCamera final : public Camera {
     if (after && after->value != value)
       return Error{ErrorCode::UnusableInput,
                    "The camera keeps " + name + " at " + after->value + " instead of " + value +
-                       "; look at its mode dial.",
+                       "; check its mode dial.",
                    serial_};
     return after;
   }
@@ -132,7 +132,7 @@ class GphotoCamera final : public Camera {
     }
     if (stop.stop_requested()) return Error::cancelled();
     if (code == GP_ERROR_NOT_SUPPORTED)
-      return Error{ErrorCode::Missing, "This camera shows no live picture.", serial_};
+      return Error{ErrorCode::Missing, "This camera has no live view.", serial_};
     return gphotoTrouble(code, serial_);
   }
 
@@ -148,8 +148,7 @@ class GphotoCamera final : public Camera {
         quiet_s = clock_->now_s();
       }
       if (clock_->now_s() > deadline_s)
-        return Error{ErrorCode::Missing, "The camera does not stop to deliver photographs.",
-                     serial_};
+        return Error{ErrorCode::Missing, "The camera does not stop sending photographs.", serial_};
     }
     return {};
   }
@@ -184,7 +183,8 @@ class GphotoCamera final : public Camera {
     }
     if (files.empty())
       return Error{ErrorCode::Missing,
-                   "No photograph came from the camera; is it focused and set to manual?", serial_};
+                   "The camera sent no photograph; check that it is focused and set to manual.",
+                   serial_};
     return files;
   }
 

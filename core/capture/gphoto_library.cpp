@@ -45,7 +45,7 @@ Error gphotoTrouble(int code, const std::string& where) {
     case GP_ERROR_IO_USB_CLAIM:
     case GP_ERROR_IO_LOCK:
       return {ErrorCode::Missing,
-              "The camera is held by another program, often the desktop's file manager; 'ostraka "
+              "Another program uses the camera, often the desktop's file manager; 'ostraka "
               "devices' names it.",
               where};
     case GP_ERROR_IO_USB_FIND:
@@ -54,7 +54,7 @@ Error gphotoTrouble(int code, const std::string& where) {
       return {ErrorCode::Missing, "The camera is not plugged in or not switched on.", where};
     case GP_ERROR_TIMEOUT:
       return {ErrorCode::Missing,
-              "The camera does not answer; is it asleep? Switch its automatic power-off off.",
+              "The camera does not answer and may be asleep. Turn off its automatic power-off.",
               where};
     case GP_ERROR_CAMERA_BUSY:
       return {ErrorCode::Missing, "The camera stays busy; switch it off and on.", where};
@@ -62,10 +62,10 @@ Error gphotoTrouble(int code, const std::string& where) {
     case GP_ERROR:
     case GP_ERROR_IO_READ:
     case GP_ERROR_IO_WRITE:
-      return {ErrorCode::Missing, "The line to the camera is broken; look at its cable.", where};
+      return {ErrorCode::Missing, "The connection to the camera failed; check its cable.", where};
     case GP_ERROR_IO_INIT:
       return {ErrorCode::Missing,
-              "The camera cannot be opened; may this user use it? Look at 'ostraka devices'.",
+              "The camera cannot be opened; check this user's permissions with 'ostraka devices'.",
               where};
     default:
       return {ErrorCode::Failed,

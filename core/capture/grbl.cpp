@@ -56,13 +56,13 @@ class GrblTurntable final : public Turntable {
       }
     }
     return Error{ErrorCode::Missing,
-                 "The turntable does not answer like a GRBL controller: is it switched on, and is "
-                 "it of this type?",
+                 "The turntable does not answer like a GRBL controller; check that it is switched "
+                 "on and of this type.",
                  where_};
   }
 
   Result<void> home(std::stop_token stop) override {
-    if (!has_switch_) return Error{ErrorCode::Missing, "The table has no zero switch.", where_};
+    if (!has_switch_) return Error{ErrorCode::Missing, "The turntable has no zero switch.", where_};
     setPosition(std::nullopt);
     // An old 'ok' would pass for the end of a homing that never began: the line must be quiet.
     for (int k = 0; k < 10; ++k) {
@@ -90,7 +90,7 @@ class GrblTurntable final : public Turntable {
 
   Result<void> moveTo(double degrees, std::stop_token stop) override {
     if (!std::isfinite(degrees))
-      return Error{ErrorCode::UnusableInput, "The angle is no number.", where_};
+      return Error{ErrorCode::UnusableInput, "The angle is not a number.", where_};
     if (Result<void> r = drain(); !r) return r;
     if (!position_deg()) return lost();
     halt_ = false;
@@ -115,7 +115,7 @@ class GrblTurntable final : public Turntable {
     for (const std::string& step : {shutterOn(), std::string("G4 P0.2")}) {
       const Result<Answer> answer = command(step, kReply_s, stop);
       if (!answer) return answer.error();
-      fired = judge(*answer, "It did not answer when the shutters were to be fired.");
+      fired = judge(*answer, "It did not answer the shutter command.");
       if (!fired) break;
     }
     const Result<Answer> off = command(shutterOff(), kReply_s, {});
@@ -142,7 +142,7 @@ class GrblTurntable final : public Turntable {
   double sign() const { return options_.clockwise ? -1 : 1; }
 
   Error lost() const {
-    return {ErrorCode::NotEnough, "The table's position is not known: home it, or align it.",
+    return {ErrorCode::NotEnough, "The turntable's position is unknown: home it or align it.",
             where_};
   }
   Error gone(const std::string& what) const { return {ErrorCode::Missing, what, where_}; }
@@ -244,7 +244,7 @@ class GrblTurntable final : public Turntable {
         return gone(when_lost);
       case Reply::Restarted:
         return Error{ErrorCode::NotEnough,
-                     "The controller restarted; the table's position is not known.", where_};
+                     "The controller restarted; the turntable's position is unknown.", where_};
       default:
         return Error{ErrorCode::Failed, answer.words, where_};
     }
@@ -261,7 +261,7 @@ class GrblTurntable final : public Turntable {
       if (isBanner(**message)) {
         setPosition(std::nullopt);
         return Error{ErrorCode::NotEnough,
-                     "The controller restarted; the table's position is not known.", where_};
+                     "The controller restarted; the turntable's position is unknown.", where_};
       }
       if ((*message)->starts_with("ALARM:")) {
         setPosition(std::nullopt);
@@ -301,7 +301,7 @@ class GrblTurntable final : public Turntable {
       before = **report;
       if (!line_.clock().sleep(kReport_s, stop)) return Error::cancelled();
     }
-    return gone("The turntable does not come to rest.");
+    return gone("The turntable does not stop moving.");
   }
 
   // The place where it stands is this angle from now on.
@@ -322,7 +322,7 @@ class GrblTurntable final : public Turntable {
         return {};
       }
     }
-    return gone("The turntable does not take its zero.");
+    return gone("The turntable does not accept its zero.");
   }
 
   Result<void> standsAt(double degrees, std::stop_token stop) {
@@ -346,7 +346,7 @@ class GrblTurntable final : public Turntable {
       return {};
     setPosition(std::nullopt);
     return Error{ErrorCode::NotEnough,
-                 "The controller counts from anew; the table's position is not known.", where_};
+                 "The controller reset its count; the turntable's position is unknown.", where_};
   }
 
   Result<void> turn(double start, double target, std::stop_token stop) {
@@ -439,7 +439,7 @@ class GrblTurntable final : public Turntable {
 
 Result<void> GrblOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (!(speed_deg_s > 0)) return bad("The table's speed must be more than 0.");
+  if (!(speed_deg_s > 0)) return bad("The turntable's speed must be greater than 0.");
   if (!shutter.empty() && shutter != "M8" && shutter != "M7" && shutter != "M3" &&
       !shutter.starts_with("M62 P"))
     return bad("The shutter output must be M8, M7, M3 or M62 Pn.");

@@ -27,15 +27,15 @@ std::string alarmWords(int code) {
   switch (code) {
     case 1:
     case 3:
-      return "The table was stopped in motion and its position is lost: align the zero mark";
+      return "The turntable was stopped while moving and lost its position: align the zero mark";
     case 2:
-      return "The table's controller says that the turn is beyond its travel: switch $20 off";
+      return "The turntable's controller reports a turn beyond its travel: switch $20 off";
     case 6:
     case 8:
     case 9:
-      return "Homing failed: look at the zero switch and its cable";
+      return "Homing failed: check the zero switch and its cable";
     default:
-      return "The table's controller raised an alarm";
+      return "The turntable's controller raised an alarm";
   }
 }
 
@@ -45,16 +45,15 @@ std::string errorWords(int code) {
     case 2:
     case 3:
     case 20:
-      return "The controller does not understand the command: wrong type of controller, or a bad "
-             "cable";
+      return "The controller does not understand the command: wrong controller type or bad cable";
     case 5:
-      return "The table has no zero switch";
+      return "The turntable has no zero switch";
     case 8:
-      return "The table is still moving";
+      return "The turntable is still moving";
     case 9:
-      return "The table is locked: home it or unlock it";
+      return "The turntable is locked: home it or unlock it";
     default:
-      return "The table's controller refused a command";
+      return "The turntable's controller rejected a command";
   }
 }
 

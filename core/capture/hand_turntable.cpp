@@ -36,8 +36,8 @@ class HandTurntable final : public Turntable {
   Result<void> turn(double degrees, std::stop_token stop) {
     const long mark = std::lround(degrees - 360 * std::floor(degrees / 360));
     position_ = kUnknown;
-    if (!ask_ || !ask_("Turn the table counter-clockwise to " + std::to_string(mark) +
-                           " degrees, and take your hand away.",
+    if (!ask_ || !ask_("Turn the turntable counter-clockwise to " + std::to_string(mark) +
+                           " degrees, then take your hand away.",
                        stop))
       return Error::cancelled();
     position_ = degrees;

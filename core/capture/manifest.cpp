@@ -103,8 +103,7 @@ Result<Manifest> readManifest(const std::filesystem::path& batch) {
   const Result<nlohmann::json> json = readJson(file);
   if (!json) return json.error();
   const Error unusable{ErrorCode::UnusableInput,
-                       "This is no list of photographs of Ostraka; name another folder for the "
-                       "batch.",
+                       "Not an Ostraka photograph list; choose another folder for the batch.",
                        file.string()};
   try {
     if (json->at("format") != kManifestFormat) return unusable;

@@ -165,7 +165,7 @@ Result<void> InspectionOptions::check() const {
   if (work_width_px < 320) return bad("work_width_px must be 320 or more.");
   if (!(too_close_mm >= 0) || !(touching_mm >= 0))
     return bad("too_close_mm and touching_mm must not be negative.");
-  if (!(smallest_sherd_mm > 0)) return bad("smallest_sherd_mm must be more than 0.");
+  if (!(smallest_sherd_mm > 0)) return bad("smallest_sherd_mm must be greater than 0.");
   return {};
 }
 

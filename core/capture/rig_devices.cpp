@@ -51,8 +51,8 @@ Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, co
   const bool comxim = place.driver == "comxim1" || place.driver == "comxim2";
   const bool text = place.driver == "text";
   if (!comxim && !text && place.driver != "grbl")
-    return Error::unusable("The turntable's driver " + place.driver +
-                               " is not known; there are: grbl, comxim1, comxim2, text, hand.",
+    return Error::unusable("The turntable driver " + place.driver +
+                               " is unknown; available: grbl, comxim1, comxim2, text, hand.",
                            rig_file);
   TextTableOptions words{marlinDialect(), place.speed_deg_s, place.clockwise};
   if (text && !place.dialect.empty()) {
@@ -89,7 +89,7 @@ Result<std::unique_ptr<Camera>> openCamera(const CameraPlace& place,
     return openUvcCamera(options, clock);
   }
   return Error::unusable(
-      "The camera driver " + place.driver + " is not known; there are: folder, gphoto2, uvc.",
+      "The camera driver " + place.driver + " is unknown; available: folder, gphoto2, uvc.",
       rig_file);
 }
 
@@ -100,8 +100,8 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("devices"))
     return Error::unusable(
-        "The rig names no devices; 'ostraka devices' says what is plugged in and how to write it "
-        "there.",
+        "The rig names no devices; 'ostraka devices' lists what is plugged in and how to enter it "
+        "in the rig.",
         rig_file);
   try {
     DevicesFile devices = devicesFromJson(json->at("devices"));
@@ -111,10 +111,9 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
     if (devices.plate.is_relative()) devices.plate = rig_file.parent_path() / devices.plate;
     return devices;
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(
-        refused,
-        "The part 'devices' cannot be read; compare it with the README's chapter on devices.",
-        rig_file);
+    return unusableJson(refused,
+                        "The section 'devices' cannot be read; compare it with docs/devices.md.",
+                        rig_file);
   }
 }
 

@@ -15,7 +15,7 @@ constexpr double kSameAngle_deg = 0.3;
 }  // namespace
 
 std::string shotWords(int stop, int camera) {
-  return "Camera " + batch::cameraLetter(camera) + ", stop " + std::to_string(stop + 1);
+  return "Camera " + batch::cameraLetter(camera) + ", position " + std::to_string(stop + 1);
 }
 
 std::string listed(const ShotCheck& check) {
@@ -89,11 +89,11 @@ Result<void> Series::prepare() {
       return Error{
           ErrorCode::UnusableInput,
           "There is no shot " + std::to_string(again.stop + 1) + batch::cameraLetter(again.camera) +
-              " to take again: this side has stops 1 to " + std::to_string(options_.stops) +
+              " to retake: this side has positions 1 to " + std::to_string(options_.stops) +
               " and cameras A to " + batch::cameraLetter(cameras - 1) + ".",
           {}};
   }
-  if (Result<void> r = store_->setAside(options_.retake, "asked for again"); !r) return r;
+  if (Result<void> r = store_->setAside(options_.retake, "retake requested"); !r) return r;
   for (int s = 0; s < options_.stops; ++s) {
     Task task{s, {}};
     for (int c = 0; c < cameras; ++c)
@@ -118,8 +118,8 @@ Result<void> Series::sameCamera(int camera) const {
         entry.camera_serial != id.serial)
       return Error{ErrorCode::UnusableInput,
                    "Camera " + batch::cameraLetter(camera) + " of this batch was " +
-                       entry.camera_serial + ", the one here is " + id.serial +
-                       "; go on with the cameras that began it, or name another folder.",
+                       entry.camera_serial + ", but the connected one is " + id.serial +
+                       "; continue with the original cameras or choose another folder.",
                    options_.batch.string()};
   return {};
 }
@@ -155,9 +155,10 @@ Result<void> Series::findPosition() {
     return watch.reference.look.has_value();
   });
   if (!seen)
-    return Error{ErrorCode::NotEnough,
-                 "The table's position is not known: turn its zero mark to the front and set zero.",
-                 table.name()};
+    return Error{
+        ErrorCode::NotEnough,
+        "The turntable's position is unknown: turn its zero mark to the front and set zero.",
+        table.name()};
   if (Result<void> r = table.zeroHere(stop_); !r) return r;
   zero_unknown_ = true;
   ++epoch_;
@@ -259,7 +260,7 @@ Result<void> Series::refuse(const Shot& shot) {
   const std::string why = listed(shot.check);
   if (Result<void> r = store_->setAside({{shot.stop, shot.camera}}, why); !r) return r;
   progress_.note(NoteLevel::Info,
-                 "capture: " + shotWords(shot.stop, shot.camera) + " is taken again: " + why);
+                 "capture: " + shotWords(shot.stop, shot.camera) + " is retaken: " + why);
   if (tries_[{shot.stop, shot.camera}] < options_.tries_per_shot) return {};
   return Error{ErrorCode::Failed,
                shotWords(shot.stop, shot.camera) + " failed " +
@@ -296,7 +297,7 @@ Result<void> Series::correctZero(const std::vector<Shot>& shots) {
   doubted_zero_deg_.reset();
   progress_.note(NoteLevel::Warning, "capture: the markers show the table turned by " +
                                          std::to_string(off[0]) +
-                                         " degrees against its own count; corrected");
+                                         " degrees from its own count; corrected");
   return {};
 }
 
@@ -321,9 +322,9 @@ Result<SideSummary> Series::summary() {
   done.check = checkSide(files, devices_.plate, {}, stop_);
   if (stop_.stop_requested()) return Error::cancelled();
   if (!done.flagged.empty())
-    done.check.sentences.push_back(std::to_string(done.flagged.size()) +
-                                   " photographs are kept though something is wrong with them; "
-                                   "look at them before you go on.");
+    done.check.sentences.push_back(
+        std::to_string(done.flagged.size()) +
+        " photographs have problems but are kept; check them before you continue.");
   return done;
 }
 

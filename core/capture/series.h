@@ -113,7 +113,7 @@ class Series {
   double busy_s_ = 0;                       ///< turning, settling, exposing, transferring
 };
 
-/// "Camera B, stop 3".
+/// "Camera B, position 3".
 std::string shotWords(int stop, int camera);
 /// Sentences about the problems, one after the other.
 std::string listed(const ShotCheck& check);

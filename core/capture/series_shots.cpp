@@ -87,7 +87,7 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
     if (round == options_.tries_per_shot)
       return Error{ErrorCode::Failed,
                    "Camera " + batch::cameraLetter(cameras[0]) +
-                       " hands over earlier or broken photographs only; switch it off and on.",
+                       " delivers only earlier or broken photographs; switch it off and on.",
                    devices_.cameras[static_cast<std::size_t>(cameras[0])]->id().serial};
     if (round > 0)
       parallelFor(cameras.size(), static_cast<int>(cameras.size()),

@@ -16,27 +16,28 @@ double unwound(double angle, double near) {
 std::string words(ShotProblem problem) {
   switch (problem) {
     case ShotProblem::Unreadable:
-      return "the file is cut off or no picture";
+      return "the file is truncated or not a picture";
     case ShotProblem::WrongStop:
-      return "the markers show another angle than this stop's";
+      return "the markers show an angle other than this position's";
     case ShotProblem::OtherSize:
-      return "the picture has another size than the camera's others";
+      return "the picture's size differs from that of the camera's other pictures";
     case ShotProblem::Unplaced:
-      return "too few markers are seen to tell the stop: is something before them, is it blurred?";
+      return "too few markers are visible to identify the position: check that nothing covers them "
+             "and that the picture is sharp";
     case ShotProblem::Repeated:
-      return "the camera handed over an earlier photograph once more";
+      return "the camera delivered an earlier photograph again";
     case ShotProblem::FewMarkers:
-      return "too few markers of the plate are seen: is something before them?";
+      return "too few markers of the plate are visible: check that nothing covers them";
     case ShotProblem::Blurred:
-      return "it is blurred: did the table still move, did the focus change?";
+      return "the picture is blurred: check that the turntable is still and the focus is unchanged";
     case ShotProblem::TooDark:
-      return "the sherds are too dark: give more light or expose longer";
+      return "the sherds are too dark: add light or increase the exposure time";
     case ShotProblem::TooBright:
-      return "the sherds are burnt out: expose shorter";
+      return "the sherds are overexposed: reduce the exposure time";
     case ShotProblem::CutOff:
       return "a sherd is cut off by the picture's edge: move it or the camera";
     case ShotProblem::OtherSettings:
-      return "the camera's settings are others than they were: set them back";
+      return "the camera's settings have changed: restore them";
   }
   return {};
 }
@@ -63,7 +64,7 @@ std::vector<std::string> ShotCheck::sentences() const {
   std::vector<std::string> all;
   for (const ShotProblem p : problems)
     if (p != ShotProblem::OtherSettings || other_settings.empty()) all.push_back(words(p));
-  for (const std::string& setting : other_settings) all.push_back(setting + ": set it back");
+  for (const std::string& setting : other_settings) all.push_back(setting + ": restore it");
   return all;
 }
 

@@ -135,7 +135,7 @@ PlateMap together(const Looks& looks) {
 SideCheck uncounted() {
   SideCheck side;
   side.sentences.push_back(
-      "The sherds could not be counted: too few of the plate's markers are seen.");
+      "The sherds could not be counted: too few of the plate's markers are visible.");
   return side;
 }
 
@@ -175,15 +175,15 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
       }
   }
   side.counted = true;
-  if (pieces.empty()) side.sentences.push_back("No sherd is seen on the plate.");
+  if (pieces.empty()) side.sentences.push_back("No sherd is visible on the plate.");
   if (!side.touching_mm.empty())
     side.sentences.push_back("Sherds touch or nearly touch at " + places(side.touching_mm) +
-                             " from the plate's middle: move them apart and shoot again.");
+                             " from the plate's centre: move them apart and reshoot.");
   side.doubtful = static_cast<int>(side.doubtful_mm.size());
   if (!side.doubtful_mm.empty())
     side.sentences.push_back("What lies at " + places(side.doubtful_mm) +
-                             " from the plate's middle was counted as one but may be two sherds "
-                             "that touch: look there; if so, move them apart and shoot again.");
+                             " from the plate's centre was counted as one but may be two touching "
+                             "sherds: check it; if so, move them apart and reshoot.");
   return side;
 }
 
@@ -200,18 +200,16 @@ bool sameSide(const SideCheck& front, const SideCheck& back) {
 std::vector<std::string> compareSides(const SideCheck& front, const SideCheck& back) {
   std::vector<std::string> sentences;
   if (sameSide(front, back))
-    sentences.push_back(
-        "The back looks like the front: turn the sherds over and photograph them again.");
+    sentences.push_back("The back looks like the front: turn the sherds over and reshoot them.");
   if (!front.counted || !back.counted) {
     sentences.push_back("The sherds of the " + std::string(front.counted ? "back" : "front") +
-                        " could not be counted: compare the pictures yourself before you clear "
-                        "the plate.");
+                        " could not be counted: compare the pictures before you clear the plate.");
   } else if (front.sherds != back.sherds) {
     const int missing = front.sherds - back.sherds;
     sentences.push_back("The front showed " + std::to_string(front.sherds) + " sherds, the back " +
                         std::to_string(back.sherds) +
-                        (missing > 0 ? ": look for the missing one before you clear the plate."
-                                     : ": was one added, or did one break?"));
+                        (missing > 0 ? ": find the missing one before you clear the plate."
+                                     : ": check whether one was added or broke."));
   }
   return sentences;
 }

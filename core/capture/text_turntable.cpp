@@ -69,13 +69,13 @@ class TextTurntable final : public Turntable {
       }
       if (*answer == Answer::Accepted) return {};
     }
-    return gone("The turntable does not answer as a " + words_.name + "; is it another one?");
+    return gone("The turntable does not answer as a " + words_.name + "; check its type.");
   }
 
   std::string name() const override { return words_.name + " at " + where_; }
 
   Result<void> home(std::stop_token stop) override {
-    if (words_.home.empty()) return gone("This table has no zero switch: align it by eye.");
+    if (words_.home.empty()) return gone("This turntable has no zero switch: align it by eye.");
     position_deg_ = kUnknown;
     if (Result<void> r = obey(words_.home, kHoming_s, stop); !r) return r;
     if (!words_.still.empty())
@@ -94,8 +94,8 @@ class TextTurntable final : public Turntable {
     halt_ = false;
     const double start = position_deg_;
     if (std::isnan(start))
-      return Error{ErrorCode::NotEnough, "The table's position is not known: home it, or align it.",
-                   where_};
+      return Error{ErrorCode::NotEnough,
+                   "The turntable's position is unknown: home it or align it.", where_};
     if (start == degrees) return {};
     position_deg_ = kUnknown;  // until it has arrived
     Result<void> turned = turn(start, degrees, stop);
@@ -186,10 +186,10 @@ class TextTurntable final : public Turntable {
 
   Error trouble(Answer answer) const {
     if (answer == Answer::Restarted)
-      return {ErrorCode::NotEnough, "The controller restarted; the table's position is not known.",
-              where_};
+      return {ErrorCode::NotEnough,
+              "The controller restarted; the turntable's position is unknown.", where_};
     if (answer == Answer::Refused)
-      return {ErrorCode::Failed, "The turntable refuses: " + complaint_ + ".", where_};
+      return {ErrorCode::Failed, "The turntable rejects the command: " + complaint_ + ".", where_};
     return gone("The turntable does not answer.");
   }
 
@@ -229,7 +229,7 @@ class TextTurntable final : public Turntable {
     const Result<std::optional<double>> place = ask(stop);
     if (!place) return place.error();
     if (*place && std::abs(**place - target) > kTolerance_deg)
-      return gone("The turntable stands at " + fixed(**place, 3) + " degrees instead of " +
+      return gone("The turntable is at " + fixed(**place, 3) + " degrees instead of " +
                   fixed(target, 3) + ".");
     return {};
   }
@@ -307,17 +307,18 @@ TextDialect marlinDialect() {
 
 Result<void> TextDialect::check() const {
   const auto bad = [](const std::string& what) {
-    return Error{ErrorCode::UnusableInput, "The turntable's words: " + what, {}};
+    return Error{ErrorCode::UnusableInput, "The turntable's dialect: " + what, {}};
   };
   if (move.find("{target}") == std::string::npos && move.find("{by}") == std::string::npos)
-    return bad("'move' must hold {target} or {by}.");
-  if (accepted.empty()) return bad("'accepted' must say how it answers.");
-  if (query.empty() != position.empty()) return bad("'query' and 'position' go together.");
-  if (!(reply_s > 0)) return bad("'reply_s' must be more than 0.");
+    return bad("'move' must contain {target} or {by}.");
+  if (accepted.empty()) return bad("'accepted' must describe its answer.");
+  if (query.empty() != position.empty())
+    return bad("'query' and 'position' must be given together.");
+  if (!(reply_s > 0)) return bad("'reply_s' must be greater than 0.");
   for (const std::string& word : {accepted, refused, restarted, arrived, busy, position}) try {
       const std::regex regex(word);
     } catch (const std::regex_error&) {
-      return bad("'" + word + "' is no regular expression.");
+      return bad("'" + word + "' is not a regular expression.");
     }
   if (!position.empty() && std::regex(position).mark_count() < 1)
     return bad("'position' needs a group for the angle.");
@@ -326,13 +327,15 @@ Result<void> TextDialect::check() const {
 
 Result<void> TextTableOptions::check() const {
   if (!(speed_deg_s > 0))
-    return Error{ErrorCode::UnusableInput, "The table's speed must be more than 0.", {}};
+    return Error{ErrorCode::UnusableInput, "The turntable's speed must be greater than 0.", {}};
   return dialect.check();
 }
 
 Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
   const Error unusable{
-      ErrorCode::UnusableInput, "The turntable's 'dialect' must be \"marlin\" or its words.", {}};
+      ErrorCode::UnusableInput,
+      "The turntable's 'dialect' must be \"marlin\" or an object with its commands.",
+      {}};
   if (json == "marlin") return marlinDialect();
   if (!json.is_object()) return unusable;
   TextDialect d;

@@ -179,27 +179,28 @@ class UsbChannel final : public ByteChannel {
       libusb_clear_halt(handle_, layout_.in);
       libusb_clear_halt(handle_, layout_.out);
     }
-    return gone("The turntable's USB line failed (" + std::string(libusb_error_name(rc)) +
+    return gone("The turntable's USB connection failed (" + std::string(libusb_error_name(rc)) +
                 "); plug it in again.");
   }
 
   Error cannotOpen(int rc) const {
     if (rc == LIBUSB_ERROR_ACCESS)
       return gone(
-          "You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it "
-          "in again.");
-    if (rc == LIBUSB_ERROR_BUSY) return gone("The turntable is used by another program; close it.");
+          "You have no permission to use this USB device; install packaging/udev/70-ostraka.rules "
+          "and plug it in again.");
+    if (rc == LIBUSB_ERROR_BUSY)
+      return gone("Another program uses the turntable; close that program.");
     return gone("The turntable cannot be opened (" + std::string(libusb_error_name(rc)) + ").");
   }
 
   Result<void> openDevice(libusb_device* device, const libusb_device_descriptor& about) {
     const std::optional<Layout> layout = layoutOf(device);
-    if (!layout) return gone("This USB device is no serial controller (CDC-ACM).");
+    if (!layout) return gone("This USB device is not a serial controller (CDC-ACM).");
     libusb_device_handle* handle = nullptr;
     if (const int rc = libusb_open(device, &handle); rc != 0) return cannotOpen(rc);
     if (!wanted_.serial.empty() && serialOf(handle, about.iSerialNumber) != wanted_.serial) {
       libusb_close(handle);
-      return gone("The turntable of this serial number is not plugged in.");
+      return gone("The turntable with this serial number is not plugged in.");
     }
     libusb_set_auto_detach_kernel_driver(handle, 1);
     int rc = libusb_claim_interface(handle, layout->control_interface);
@@ -253,7 +254,7 @@ Result<std::unique_ptr<ByteChannel>> openUsb(const std::string& vendor_and_produ
   const std::optional<Wanted> wanted = parsed(vendor_and_product);
   if (!wanted)
     return Error{ErrorCode::UnusableInput,
-                 "A USB turntable is named by vendor and product, as usb:1209:0001.",
+                 "A USB turntable is named by vendor and product, for example usb:1209:0001.",
                  vendor_and_product};
   auto channel = std::make_unique<UsbChannel>("usb:" + vendor_and_product, *wanted, baud);
   if (const Result<void> opened = channel->open(); !opened) return opened.error();

@@ -46,8 +46,8 @@ class UvcCamera final : public Camera {
     try {
       if (!(device ? video_.open(options_.source, cv::CAP_V4L2) : video_.open(options_.source)))
         return gone(
-            "The video camera cannot be opened: is it plugged in, and is no other program "
-            "using it?");
+            "The video camera cannot be opened; check that it is plugged in and that no other "
+            "program uses it.");
       if (device) {
         video_.set(cv::CAP_PROP_BUFFERSIZE, 1);
         if (options_.width > 0) {
@@ -117,7 +117,7 @@ class UvcCamera final : public Camera {
     frame_.reset();
     for (int k = 0; k < options_.most_stale; ++k) {
       const double before_s = clock_->now_s();
-      if (!video_.grab()) return gone("The video camera gives no pictures any more.");
+      if (!video_.grab()) return gone("The video camera no longer delivers pictures.");
       if (clock_->now_s() - before_s > kFresh_s) break;
     }
     const Result<cv::Mat> frame = read();
@@ -127,13 +127,13 @@ class UvcCamera final : public Camera {
   }
 
   Result<std::vector<CameraFile>> fetch(double, std::stop_token) override {
-    if (!frame_) return gone("The video camera has taken no picture.");
+    if (!frame_) return gone("The video camera took no picture.");
     const cv::Mat frame = *frame_;
     frame_.reset();
     if (options_.width > 0 && frame.cols != options_.width)
       return Error{ErrorCode::UnusableInput,
-                   "The video camera gives pictures of " + std::to_string(frame.cols) + "x" +
-                       std::to_string(frame.rows) + " pixels, not of the size that is set.",
+                   "The video camera delivers pictures of " + std::to_string(frame.cols) + "x" +
+                       std::to_string(frame.rows) + " pixels instead of the configured size.",
                    options_.source};
     return std::vector<CameraFile>{{"frame.jpg", encoded(frame, 95)}};
   }
@@ -167,9 +167,9 @@ class UvcCamera final : public Camera {
     cv::Mat frame;
     try {
       if (!video_.read(frame) || frame.empty())
-        return gone("The video camera gives no pictures any more.");
+        return gone("The video camera no longer delivers pictures.");
     } catch (const cv::Exception&) {
-      return gone("The video camera gives no pictures any more.");
+      return gone("The video camera no longer delivers pictures.");
     }
     return frame.clone();
   }

@@ -93,7 +93,7 @@ Result<BatchRow> Catalogue::addBatch(const BatchRecord& wanted, const Provenance
     checkBatch(b);
     if (!b.id.empty() && !isUuid(b.id)) refuse("The uuid of a batch is not well formed.", b.id);
     Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
-    if (same.with(b.number).next()) refuse("There is a batch " + b.number + " already.");
+    if (same.with(b.number).next()) refuse("The batch " + b.number + " already exists.");
     database_
         ->sql(
             "INSERT INTO batch (id, created_at, created_by, updated_at, updated_by, number, "

@@ -61,7 +61,8 @@ Result<ProjectRecord> Catalogue::project() const {
 Result<void> Catalogue::setProject(const ProjectRecord& p, const Provenance& provenance) {
   if (!isProjectCode(p.code))
     return Error{ErrorCode::UnusableInput,
-                 "The project's code must be 2 to 8 capital letters or digits, as ARM.", p.code};
+                 "The project's code must be 2 to 8 capital letters or digits, for example ARM.",
+                 p.code};
   if (const Result<Numbering> scheme = Numbering::parse(p.numbering); !scheme)
     return scheme.error();
   return database_->inTransaction([&] {
@@ -152,9 +153,9 @@ Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector
     std::set<std::string> seen;
     for (const Term& term : terms) {
       if (trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
-        refuse("A term of a vocabulary must have letters and no ';'.", name);
+        refuse("A vocabulary term must contain letters and no ';'.", name);
       if (!seen.insert(term.term).second)
-        refuse("The term '" + term.term + "' stands twice in the vocabulary.", name);
+        refuse("The term '" + term.term + "' appears twice in the vocabulary.", name);
       newer.push_back(term.term);
     }
     for (const std::string& term : older) {
@@ -185,16 +186,16 @@ Result<void> Catalogue::checkIntegrity() const {
     const std::string check = firstText(*database_, "PRAGMA integrity_check(1)");
     if (check != "ok") return check;
     const std::string foreign = firstText(*database_, "PRAGMA foreign_key_check");
-    if (!foreign.empty()) return "a row of " + foreign + " points at nothing";
-    if (firstText(*database_, "SELECT id FROM project").empty()) return "it holds no project";
+    if (!foreign.empty()) return "a row of " + foreign + " refers to a missing row";
+    if (firstText(*database_, "SELECT id FROM project").empty()) return "it contains no project";
     if (firstText(*database_,
                   "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT sherd FROM sherd_measure) "
                   "OR (number <> '' AND row NOT IN (SELECT sherd FROM given_number))") != "0")
-      return "the tables of the sherds do not fit together";
+      return "the sherd tables are inconsistent";
     if (firstText(*database_,
                   "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT id FROM "
                   "sherd_text_content)") != "0")
-      return "the search does not know all sherds";
+      return "the search index is incomplete";
     return {};
   });
   if (!found) return found.error();
@@ -225,7 +226,7 @@ Result<void> Catalogue::backup(const fs::path& file) const {
         read_back.database().door([&] { return historyRows(read_back.database()); });
     if (!found) return found.error();
     if (*found < *written)  // others may have written meanwhile, so more is all right
-      return Error{ErrorCode::CannotWrite, "The backup does not hold what was saved; try again.",
+      return Error{ErrorCode::CannotWrite, "The backup does not contain the saved data; try again.",
                    file.string()};
   }
   return copy->become(file, PartialFile::Existing::Replaced);

@@ -36,7 +36,7 @@ Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
   return catalogue.database().inTransaction([&] {
     const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
     if (batch.state <= BatchState::Back)
-      refuse("This batch is being photographed; it is computed when that is done.", batch_number);
+      refuse("This batch is still being photographed; it is processed afterwards.", batch_number);
     // What waits cannot be told from what is being computed: both are so until their results are
     // entered. Where it only waits, its beginning forgets this.
     if (batch.state == BatchState::Queued || batch.state == BatchState::Computed)

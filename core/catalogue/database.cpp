@@ -158,8 +158,7 @@ Result<void> Database::connect(const std::string& name, int flags) {
     return {};
   }
   return Error{ErrorCode::UnusableInput,
-               "The catalogue cannot be opened; check that the folder is there and may be "
-               "written to.",
+               "The catalogue cannot be opened; check that the folder exists and is writable.",
                file_.string()};
 }
 
@@ -189,8 +188,8 @@ Result<void> Database::connectToCopy() {
   }
   if (!made || failed)
     return Error{ErrorCode::CannotWrite,
-                 "This project can only be read, and there is no room for a copy to read it from; "
-                 "make room in the folder for temporary files.",
+                 "This project is read-only, and there is no space for the copy that Ostraka "
+                 "reads; free some space in the folder for temporary files.",
                  file_.string()};
   if (Result<void> opened = connect(scratch_->path() / "catalogue.sqlite", SQLITE_OPEN_READWRITE);
       !opened)
@@ -305,12 +304,12 @@ static Error errorAt(const SqlFailure& failure, const fs::path& file) {
   if (kind == SQLITE_FULL ||
       ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullAt(file.parent_path())))
     return {ErrorCode::CannotWrite,
-            "The disk is full; make room, then try again. Nothing was lost.", file.string()};
+            "The disk is full; free some space, then try again. No data was lost.", file.string()};
   switch (kind) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return {ErrorCode::Failed,
-              "Another program keeps the catalogue busy; close it, then try again.", file.string()};
+              "Another program is using the catalogue; close it, then try again.", file.string()};
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:
@@ -318,15 +317,14 @@ static Error errorAt(const SqlFailure& failure, const fs::path& file) {
               "The catalogue cannot be written to; check the permissions of the folder.",
               file.string()};
     case SQLITE_IOERR:
-      return {ErrorCode::CannotWrite,
-              "The disk does not answer properly; check it, then open the project again.",
+      return {ErrorCode::CannotWrite, "The disk reports errors; check it, then reopen the project.",
               file.string()};
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return damagedCatalogue("its pages do not fit together", file);
+      return damagedCatalogue("its pages are inconsistent", file);
     default:
       return {ErrorCode::UnusableInput,
-              std::string("The catalogue does not take this (") + failure.what() + ").",
+              std::string("The catalogue rejects this operation (") + failure.what() + ").",
               file.string()};
   }
 }

@@ -32,7 +32,7 @@ void checkSide(Database& database, BatchRow batch, ScanRow scan, const char* sid
   if (!scan) return;
   Statement row = database.sql("SELECT 1 FROM scan WHERE row = ? AND batch = ? AND side = ?");
   if (!row.with(scan, batch, side).next())
-    refuse(std::string("The scan is no ") + side + " of this batch.");
+    refuse(std::string("The scan is not a ") + side + " of this batch.");
 }
 
 DecisionRow insertDecision(Database& database, const PairDecision& d, const std::string& id) {
@@ -130,7 +130,7 @@ std::vector<Followed> sherdsOf(Database& database, BatchRow batch) {
   return all;
 }
 
-constexpr const char* kNoPartner = "its front has no back any more";
+constexpr const char* kNoPartner = "its front no longer has a back";
 
 }  // namespace
 
@@ -197,14 +197,14 @@ Result<DecisionRow> Catalogue::decide(const PairDecision& d, const Provenance& p
     checkSide(*database_, d.batch, d.front, "front");
     checkSide(*database_, d.batch, d.back, "back");
     const bool pair = d.verdict == Verdict::Accept || d.verdict == Verdict::Reject;
-    if (pair && !(d.front && d.back)) refuse("A pair has a front and a back.");
+    if (pair && !(d.front && d.back)) refuse("A pair needs a front and a back.");
     if (d.verdict == Verdict::Withdraw) {
       Statement row = database_->sql(
           "SELECT 1 FROM pair_decision WHERE row = ? AND batch = ? AND (person IS NULL) = ?");
       if (!row.with(d.replaces, d.batch, !provenance.person).next())
-        refuse("The decision to be taken back is not in this batch.");
+        refuse("The decision to undo is not in this batch.");
     } else if (!d.front && !d.back) {
-      refuse("A decision names a front, a back, or both.");
+      refuse("A decision needs a front, a back or both.");
     }
     PairDecision decided = d;
     decided.at_ms = now();

@@ -114,8 +114,8 @@ class Entering {
   ScanRow scan(const std::string& name) const {
     const auto found = rows_.find(name);
     if (found == rows_.end())
-      refuse("The table of pairs names the scan " + name +
-             ", which is not there; run 'ostraka process' again.");
+      refuse("The pair table names the scan " + name +
+             ", which is missing; run 'ostraka process' again.");
     return found->second;
   }
 

@@ -61,7 +61,7 @@ std::string sentenceOf(const DamagedFile& damaged) {
     case Damage::Missing:
       return name + " is missing.";
     case Damage::Changed:
-      return name + " was changed since it was entered.";
+      return name + " has changed since it was entered.";
     case Damage::Unreadable:
       return name + " cannot be read.";
   }

@@ -53,7 +53,7 @@ Result<Pages> lookAtHeader(const fs::path& file) {
   sqlite3_close(handle);
   if (code != SQLITE_OK)
     return Error{ErrorCode::UnusableInput,
-                 "The catalogue cannot be read; check that it is there, and its permissions.",
+                 "The catalogue cannot be read; check that it exists and check its permissions.",
                  file.string()};
   if (bytes == 0) return damagedCatalogue("the file is empty", file);
   if (std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0)
@@ -63,13 +63,13 @@ Result<Pages> lookAtHeader(const fs::path& file) {
   const bool unnamed = application == 0 && version < kFirstNamedVersion;
   if (application != kOstraka && !unnamed)
     return damagedCatalogue("the file belongs to another program", file);
-  if (version == 0) return damagedCatalogue("the file holds no catalogue", file);
+  if (version == 0) return damagedCatalogue("the file contains no catalogue", file);
   const std::size_t page_bytes = std::size_t{header[kPageSize]} << 8 | header[kPageSize + 1];
   // A file that is being brought up to date has checksums before it has their version.
   const bool checked = header[kReserved] == kReservedBytes;
   const bool plain = header[kReserved] == 0 && version < kFirstCheckedVersion;
   if (page_bytes != kPageBytes || (!checked && !plain))
-    return damagedCatalogue("the header contradicts itself", file);
+    return damagedCatalogue("the header is inconsistent", file);
   return checked ? Pages::Checked : Pages::Plain;
 }
 

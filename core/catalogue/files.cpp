@@ -81,7 +81,7 @@ bool rememberDifferences(const Catalogue& catalogue, const Provenance& provenanc
     Statement rows =
         catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?");
     if (!rows.with(row).next())
-      refuse("This " + std::string(table) + " is not in the catalogue any more.");
+      refuse("This " + std::string(table) + " is no longer in the catalogue.");
     for (std::string& value : old_values) rows.readText(value);
   }
   bool any = false;

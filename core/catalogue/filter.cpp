@@ -42,8 +42,8 @@ Result<std::vector<Piece>> pieces(std::string_view line) {
       piece.plain += line[i];
     }
     if (inside)
-      return Error{ErrorCode::UnusableInput,
-                   "The filter opens a quotation mark and does not close it.", piece.text};
+      return Error{ErrorCode::UnusableInput, "The filter has an unclosed quotation mark.",
+                   piece.text};
     all.push_back(std::move(piece));
   }
   return all;
@@ -69,7 +69,7 @@ Result<Condition> conditionOfLabel(const std::string& code) {
   const std::optional<LabelCode> label = readLabelCode(code);
   if (!label || label->of != LabelCode::Of::Sherd)
     return Error{ErrorCode::UnusableInput,
-                 "This is only a part of a sherd's label; read its code again.", code};
+                 "This is only part of a sherd's label; scan its code again.", code};
   Condition condition;
   const bool quoted = code.find(' ') != std::string::npos;
   condition.text = quoted ? "label:\"" + code + "\"" : "label:" + code;
@@ -106,14 +106,13 @@ Result<Condition> conditionOf(Piece piece) {
   const SherdColumn* column = sherdColumn(name);
   if (!column)
     return Error{ErrorCode::UnusableInput,
-                 "The filter knows no field '" + name +
-                     "'; put the word into quotation marks to look for it as it stands.",
+                 "The filter has no field '" + name +
+                     "'; enclose the word in quotation marks to search for it literally.",
                  piece.text};
   condition.field = column->field.name;
   if (isComparison(condition.is) && !column->measure)
     return Error{ErrorCode::UnusableInput,
-                 "Only measurements are compared with < and >; write " + name + ":value.",
-                 piece.text};
+                 "Only measurements accept < and >; write " + name + ":value.", piece.text};
   if (condition.is == Condition::Is::Equal && condition.value == "*")
     condition.is = Condition::Is::NotEmpty;
   else if (condition.is == Condition::Is::Equal && condition.value.empty())
@@ -138,7 +137,7 @@ std::string Filter::text() const {
 
 Result<Filter> parseFilter(std::string_view line) {
   if (line.size() > 10'000 || !isUtf8(line))
-    return Error{ErrorCode::UnusableInput, "The filter is not readable text.", {}};
+    return Error{ErrorCode::UnusableInput, "The filter is not valid text.", {}};
   if (beginsAsSherdLabel(trimmed(line)) && readLabelCode(line)) {  // its number may hold blanks
     Result<Condition> label = conditionOfLabel(trimmed(line));
     if (!label) return label.error();

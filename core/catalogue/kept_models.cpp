@@ -49,7 +49,7 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
                               const fs::path& from) {
   std::error_code failed;
   if (!fs::is_regular_file(from / kModelFiles[0], failed))
-    return Error{ErrorCode::Missing, "This model is gone; compute its batch again.",
+    return Error{ErrorCode::Missing, "This model is missing; reprocess its batch.",
                  (from / kModelFiles[0]).string()};
   const fs::path all = project / folderOf(batch), partial = all / "new.partial";
   fs::remove_all(partial, failed);

@@ -28,7 +28,7 @@ Result<std::vector<FieldChange>> changeMany(Catalogue& catalogue,
     while (!undo.empty()) {
       if (const auto done = catalogue.change(undo.back(), provenance); !done)
         return {done.error().code,
-                why.what + " Some of the changes stay, for they could not be taken back: " +
+                why.what + " Some of the changes remain because they could not be undone: " +
                     done.error().what,
                 done.error().where};
       undo.pop_back();

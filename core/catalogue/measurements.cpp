@@ -76,7 +76,7 @@ void setMeasure(Catalogue& catalogue, const Measurement& m, const Provenance& pr
                 MeasureRank rank) {
   const std::string unit = unitOf(m.kind);
   if (unit.empty()) refuse("There is no measurement of this kind.", m.kind);
-  if (!(m.value >= 0)) refuse("A measurement is never below 0.", m.kind);
+  if (!(m.value >= 0)) refuse("A measurement cannot be less than 0.", m.kind);
   Database& database = catalogue.database();
   const Current old = currentOf(database, m.sherd, m.kind);
   if (old.row && old.value == m.value && old.by == m.by && old.method == m.method &&

@@ -18,9 +18,9 @@ Result<void> migrate(Database& database, std::span<const Migration> steps,
   const int newest = steps.empty() ? 0 : steps.back().number;
   if (*found > newest)
     return Error{ErrorCode::UnusableInput,
-                 "This project was made with a newer Ostraka (catalogue version " +
-                     std::to_string(*found) + ", this program knows " + std::to_string(newest) +
-                     "); install that one, nothing was changed.",
+                 "A newer Ostraka made this project (catalogue version " + std::to_string(*found) +
+                     ", this program supports " + std::to_string(newest) +
+                     "). Nothing was changed. Install the newer version.",
                  database.file().string()};
   if (*found == newest) return {};
   if (*found > 0)

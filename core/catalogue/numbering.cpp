@@ -32,7 +32,7 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
     if (scheme[i] != '{') {
       if (!isLiteral(scheme[i]))
         return Error::unusable(
-            std::string("The numbering cannot hold the character '") + scheme[i] +
+            std::string("The numbering cannot contain the character '") + scheme[i] +
             "'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.");
       if (numbering.parts_.empty() || numbering.parts_.back().token)
         numbering.parts_.push_back({false, {}, 0});
@@ -47,7 +47,7 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
     Part part{true, std::string(inside.substr(0, colon)), 0};
     if (std::find(kTokens.begin(), kTokens.end(), part.text) == kTokens.end())
       return Error::unusable("The numbering has no token {" + part.text +
-                             "}; there are site, trench, context, bag, batch, yyyy, yy and n.");
+                             "}; available: site, trench, context, bag, batch, yyyy, yy and n.");
     if (colon != std::string_view::npos) {
       const std::string_view width = inside.substr(colon + 1);
       if (!isDigits(width) || width[0] != '0' || width.size() > 3 ||
@@ -57,7 +57,7 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
       part.width = std::stoi(std::string(width));
     }
     if (!numbering.parts_.empty() && numbering.parts_.back().token)
-      return Error::unusable("Two tokens touch each other; put a '-' or another sign between {" +
+      return Error::unusable("Two tokens are adjacent; put '-' or another character between {" +
                              numbering.parts_.back().text + "} and {" + part.text + "}.");
     counters += part.text == "n";
     numbering.parts_.push_back(std::move(part));
@@ -113,8 +113,8 @@ std::string Numbering::warning(const std::map<std::string, std::string>& values)
     if (value == values.end()) continue;
     for (const std::size_t k : {i - 1, i + 1})
       if (k < parts_.size() && value->second.find(parts_[k].text) != std::string::npos)
-        return "The " + parts_[i].text + " " + value->second + " contains the sign '" +
-               parts_[k].text + "' that stands beside it in the number.";
+        return "The " + parts_[i].text + " " + value->second + " contains the character '" +
+               parts_[k].text + "' that is next to it in the number.";
   }
   return {};
 }

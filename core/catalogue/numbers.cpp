@@ -108,7 +108,7 @@ void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string
   }
   const Taken taken = takenBy(database, number);
   if (taken.sherd && (taken.sherd != sherd.row || taken.slug_only))
-    refuse("The number " + number + " was given before; numbers are never used again.", number);
+    refuse("The number " + number + " was assigned before; numbers are never reused.", number);
   if (!taken.sherd) {
     const Counted counted = countedIn(catalogue, schemeOf(catalogue), sherd, number);
     database.sql("INSERT INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)")
@@ -151,7 +151,7 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
         const std::int64_t n = next[counter]++;
         if (n > last)
           refuse("The block of numbers up to " + std::to_string(last) +
-                     " is used up; give this computer a new block in the settings.",
+                     " is used up; assign this computer a new block in the settings.",
                  counter);
         number = valueOrThrow(scheme.number(tokens, static_cast<int>(n)));
         // Typed by hand in another form, or on a plate that is not computed yet.

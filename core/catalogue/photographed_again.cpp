@@ -161,7 +161,7 @@ void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord&
   carryOver(catalogue, known, made, provenance);
   for (const SherdRecord* sherd : {&known, &made}) forgetModel(catalogue, sherd->row, provenance);
   database.sql("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?").with(made.row).run();
-  valueOrThrow(catalogue.voidSherd(made.row, "photographed again: " + known.number, provenance));
+  valueOrThrow(catalogue.voidSherd(made.row, "reshot: " + known.number, provenance));
   // Else it lay on two plates, and could not be typed on a third.
   if (known.batch && known.batch != made.batch) forgetTyped(catalogue, known.batch, known.number);
   database.sql("UPDATE sherd SET batch = ?, front = ?, back = ? WHERE row = ?")

@@ -55,14 +55,14 @@ void readTexts(PieceDecision& d, const std::string& pieces, const std::string& c
 }
 
 void check(Database& database, const PieceDecision& d, const Provenance& provenance) {
-  if (!provenance.person) refuse("A decision needs the name of the person who takes it.");
+  if (!provenance.person) refuse("A decision needs the name of the person who makes it.");
   if (d.verdict == PieceVerdict::Join && d.pieces.size() < 2)
-    refuse("Two pieces or more are joined.");
-  if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1) refuse("One piece is cut.");
+    refuse("A merge needs two or more fragments.");
+  if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1)
+    refuse("A split needs exactly one fragment.");
   if (d.verdict != PieceVerdict::Withdraw) return;
   Statement row = database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?");
-  if (!row.with(d.replaces, d.batch).next())
-    refuse("The decision to be taken back is not in this batch.");
+  if (!row.with(d.replaces, d.batch).next()) refuse("The decision to undo is not in this batch.");
 }
 
 }  // namespace

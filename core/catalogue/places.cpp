@@ -24,7 +24,7 @@ std::string needed(const std::string& text, const char* what) {
   if (!checked) throw Refused(checked.error());
   if (checked->empty()) refuse(std::string("The ") + what + " must not be empty.");
   if (checked->size() > 200)
-    refuse(std::string("The ") + what + " must have at most 200 letters.", *checked);
+    refuse(std::string("The ") + what + " must have at most 200 characters.", *checked);
   return *checked;
 }
 
@@ -90,7 +90,7 @@ class Saving {
              "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?")
         .with(values..., now, provenance_.person, row_)
         .run();
-    if (database.changes() != 1) refuse("The " + table_ + " is not in the catalogue any more.");
+    if (database.changes() != 1) refuse("The " + table_ + " is no longer in the catalogue.");
     return row_;
   }
 
@@ -148,7 +148,7 @@ Result<PersonRow> Catalogue::save(const PersonRecord& p, const Provenance& prove
     const std::string key = uniqueKey(initials);
     Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
     refuseDouble(std::move(same.with(key)), p.row.value,
-                 "The initials " + initials + " belong to another person already.");
+                 "The initials " + initials + " already belong to another person.");
     return PersonRow{Saving(*this, provenance, "person", p.row.value, p.id)
                          .done("name initials initials_key orcid", initials,
                                {{"name", name}, {"initials", initials}, {"orcid", p.orcid}}, name,
@@ -188,11 +188,11 @@ Result<SiteRow> Catalogue::save(const SiteRecord& s, const Provenance& provenanc
   return database_->inTransaction([&] {
     const std::string code = needed(s.code, "code of a site"), key = uniqueKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
-      refuse("The latitude lies between -90 and 90 degrees.", code);
+      refuse("The latitude must be between -90 and 90 degrees.", code);
     if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
-      refuse("The longitude lies between -180 and 180 degrees.", code);
+      refuse("The longitude must be between -180 and 180 degrees.", code);
     refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
-                 s.row.value, "There is a site " + code + " already.");
+                 s.row.value, "The site " + code + " already exists.");
     const SiteRow row{
         Saving(*this, provenance, "site", s.row.value, s.id)
             .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
@@ -226,11 +226,11 @@ Result<std::vector<TrenchRecord>> Catalogue::trenches() const {
 Result<TrenchRow> Catalogue::save(const TrenchRecord& t, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string code = needed(t.code, "code of a trench"), key = uniqueKey(code);
-    if (!t.site) refuse("A trench belongs to a site.", code);
-    if (t.parent && t.parent == t.row) refuse("A trench cannot lie in itself.", code);
+    if (!t.site) refuse("A trench needs a site.", code);
+    if (t.parent && t.parent == t.row) refuse("A trench cannot contain itself.", code);
     refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
                                .with(t.site, key)),
-                 t.row.value, "There is a trench " + code + " in this site already.");
+                 t.row.value, "The trench " + code + " already exists in this site.");
     const TrenchRow row{Saving(*this, provenance, "trench", t.row.value, t.id)
                             .done("site code code_key name parent", code,
                                   {{"site", rowText(t.site.value)},
@@ -256,7 +256,7 @@ Result<std::vector<ContextRecord>> Catalogue::contexts() const {
 Result<ContextRecord> Catalogue::context(ContextRow row) const {
   return database_->door([&] {
     Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
-    if (!rows.with(row).next()) refuse("This context is not in the catalogue any more.");
+    if (!rows.with(row).next()) refuse("This context is no longer in the catalogue.");
     return readContext(rows);
   });
 }
@@ -277,24 +277,24 @@ Result<ContextRow> Catalogue::contextByPlace(const std::string& site, const std:
 Result<ContextRow> Catalogue::save(const ContextRecord& c, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string number = needed(c.number, "number of a context"), key = uniqueKey(number);
-    if (!c.site) refuse("A context belongs to a site.", number);
+    if (!c.site) refuse("A context needs a site.", number);
     if (std::find(std::begin(kContextKinds), std::end(kContextKinds), c.kind) ==
         std::end(kContextKinds))
-      refuse("'" + c.kind +
-             "' is no kind of context; it is layer, cut, fill, structure, surface or "
-             "unstratified.");
+      refuse(
+          "'" + c.kind +
+          "' is not a kind of context; use layer, cut, fill, structure, surface or unstratified.");
     const std::string day = checked(checkedDay(c.excavated_on), "excavated_on");
     const std::string edtf = checked(checkedEdtf(c.date_edtf), "date_edtf");
     if (c.trench) {
       Statement inside = database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?");
       if (!inside.with(c.trench, c.site).next())
-        refuse("The trench belongs to another site than the context.", number);
+        refuse("The trench and the context belong to different sites.", number);
     }
     refuseDouble(std::move(database_
                                ->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
                                      "= ifnull(?, 0) AND number_key = ?")
                                .with(c.site, c.trench, key)),
-                 c.row.value, "There is a context " + number + " in this place already.");
+                 c.row.value, "The context " + number + " already exists in this place.");
     const ContextRow row{Saving(*this, provenance, "context", c.row.value, c.id)
                              .done("site trench number number_key kind excavated_on period "
                                    "date_edtf closed note extra",
@@ -342,14 +342,15 @@ Result<std::vector<BagRecord>> Catalogue::bags(ContextRow context) const {
 Result<BagRow> Catalogue::save(const BagRecord& b, const Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string number = needed(b.number, "number of a bag"), key = uniqueKey(number);
-    if (!b.context) refuse("A bag belongs to a context.", number);
+    if (!b.context) refuse("A bag needs a context.", number);
     const std::string day = checked(checkedDay(b.collected_on), "collected_on");
-    if (b.weight_g && !(*b.weight_g > 0)) refuse("The weight of a bag is above 0 g.", number);
-    if (b.count_written && *b.count_written < 0) refuse("A count is never below 0.", number);
+    if (b.weight_g && !(*b.weight_g > 0))
+      refuse("The weight of a bag must be greater than 0 g.", number);
+    if (b.count_written && *b.count_written < 0) refuse("A count cannot be less than 0.", number);
     refuseDouble(
         std::move(database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?")
                       .with(b.context, key)),
-        b.row.value, "There is a bag " + number + " in this context already.");
+        b.row.value, "The bag " + number + " already exists in this context.");
     return BagRow{
         Saving(*this, provenance, "bag", b.row.value, b.id)
             .done("context number number_key collected_on storage count_written weight_g", number,

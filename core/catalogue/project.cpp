@@ -40,8 +40,8 @@ Error refused(std::string what, const fs::path& where) {
 
 Result<void> checkFolder(const fs::path& folder) {
   if (const std::string share = networkShareOf(fs::absolute(folder)); !share.empty())
-    return refused("The folder lies on a network share (" + share +
-                       "), where catalogues get damaged; use a folder on this computer's own disk "
+    return refused("The folder is on a network share (" + share +
+                       "), which can damage catalogues; use a folder on this computer's own disk "
                        "and copy backups to the share.",
                    folder);
   return {};
@@ -52,7 +52,7 @@ Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& 
   const fs::path file = folder / kFile;
   std::error_code code;
   if (!fs::is_regular_file(file, code))
-    return refused("This folder is no Ostraka project: it holds no catalogue.sqlite.", folder);
+    return refused("Not an Ostraka project: this folder has no catalogue.sqlite.", folder);
   const bool writable = mayBeWritten(folder) && mayBeWritten(file);
   Result<std::unique_ptr<Database>> database =
       Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
@@ -61,8 +61,8 @@ Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& 
   const auto isOld = [&] { return catalogue->schemaVersion() < migrations().back().number; };
   if (!writable && isOld())
     return refused(
-        "This project was made with an older Ostraka and can only be read here; copy it "
-        "to a folder that you may write to, and open it there.",
+        "An older Ostraka made this project, and it is read-only here; copy it to a folder that "
+        "you can write to, and open it there.",
         folder);
   bool saved = false;
   const auto save = [&]() -> Result<void> {
@@ -82,7 +82,7 @@ Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& 
     return done.error();
   const Result<ProjectRecord> record = catalogue->project();
   if (!record) return record.error();
-  if (record->id.empty()) return damagedCatalogue("it holds no project", file);
+  if (record->id.empty()) return damagedCatalogue("it contains no project", file);
   return catalogue;
 }
 
@@ -106,7 +106,7 @@ Result<Project> Project::create(const fs::path& folder, const ProjectRecord& rec
   std::error_code code;
   const bool there = fs::exists(folder, code);
   if (there && (!fs::is_directory(folder, code) || !isFree(folder)))
-    return refused("A new project needs a new or an empty folder; choose another name.", folder);
+    return refused("A new project needs a new or empty folder; choose another name.", folder);
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
   const auto undone = [&](const Error& error) {
     std::error_code ignored;
@@ -119,7 +119,7 @@ Result<Project> Project::create(const fs::path& folder, const ProjectRecord& rec
     if (code == std::errc::no_space_on_device) return undone(cannotWrite(folder, code.value()));
     if (code)
       return undone({ErrorCode::CannotWrite,
-                     "The folder cannot be made; choose a place that you may write to.",
+                     "The folder cannot be created; choose a location that you can write to.",
                      folder.string()});
   }
   PartialFile::removeLeftovers(folder);
@@ -181,7 +181,7 @@ fs::path Project::absolute(const std::string& relative) const {
 Result<std::string> Project::relative(const fs::path& absolute) const {
   const Result<std::string> path = checkedPath(
       fs::absolute(absolute).lexically_normal().lexically_relative(folder_).generic_string());
-  if (!path) return refused("This file does not lie in the project's folder.", absolute);
+  if (!path) return refused("This file is outside the project's folder.", absolute);
   return path;
 }
 

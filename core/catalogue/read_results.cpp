@@ -25,7 +25,7 @@ std::string relativeTo(const fs::path& project, const fs::path& file) {
                                .lexically_relative(fs::absolute(project).lexically_normal())
                                .generic_string();
   const Result<std::string> path = checkedPath(text);
-  if (!path) refuse("This file does not lie in the project's folder.", file.string());
+  if (!path) refuse("This file is outside the project's folder.", file.string());
   return *path;
 }
 
@@ -78,10 +78,10 @@ class Reading {
       if (report.value("draft", false))
         results_.scale_doubts += (results_.scale_doubts.empty() ? "" : "\n") +
                                  std::string(
-                                     "This is a draft from coarser photographs; compute "
-                                     "the batch again for measures that stay.");
+                                     "This is a draft from reduced photographs; reprocess the "
+                                     "batch for final measurements.");
     } catch (const json::exception&) {
-      refuse("These are no whole results of 'ostraka process'; run it again.", out_.string());
+      refuse("These results of 'ostraka process' are incomplete; run it again.", out_.string());
     }
     for (const char* name : {"report.json", "report.html", "pairs.json"})
       file(out_ / name, "report", {}, {});

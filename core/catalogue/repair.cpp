@@ -130,8 +130,8 @@ class Repair {
   Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages, PartialFile& fresh) {
     if (base_.empty())
       return Error{ErrorCode::Damaged,
-                   "The catalogue is damaged, and no backup of it is whole; copy one into the "
-                   "folder backups, from an archive or another disk, then repair it again.",
+                   "The catalogue is damaged, and none of its backups is intact; copy one from an "
+                   "archive or another disk into the folder backups, then repair it again.",
                    file_.string()};
     report_.backup = base_;
     // The backup itself stays as it is: an older one is brought to this program's schema first.
@@ -255,8 +255,7 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
                                      std::stop_token stop, const Catalogue::Clock& clock) {
   if (!Project::isProject(project))
     return Error{ErrorCode::UnusableInput,
-                 "This folder is no Ostraka project: it holds no catalogue.sqlite.",
-                 project.string()};
+                 "Not an Ostraka project: this folder has no catalogue.sqlite.", project.string()};
   if (isInUse(project / "catalogue.sqlite"))
     return Error{ErrorCode::Failed,
                  "Another program has this project open; close it there, then repair it.",

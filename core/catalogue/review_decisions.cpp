@@ -326,7 +326,7 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
       if (scanIn(*table, *scans, ref) == nullptr)
         return Error{ErrorCode::Missing,
                      "The decision is saved with the batch, but " + ref.id +
-                         " is not in the catalogue yet; it is entered with the next results.",
+                         " is not in the catalogue yet; it is added with the next results.",
                      batch_number};
     for (const PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
       if (const auto entered = catalogue.decide(row, provenance); !entered) return entered.error();

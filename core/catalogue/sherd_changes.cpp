@@ -64,7 +64,7 @@ class Examination {
     change.column = sherdColumn(field);
     if (!change.column) refuse("There is no field '" + field + "'.");
     const SherdField& known = change.column->field;
-    if (!known.editable) refuse("The field " + field + " comes from the program.");
+    if (!known.editable) refuse("The field " + field + " is read-only: the program sets it.");
     switch (known.kind) {
       case FieldKind::Text:
         if (field == "number") number(sherd, change);
@@ -101,13 +101,13 @@ class Examination {
       refuse("A void sherd keeps its number.");
     if (value.empty() || value == sherd.number) return;
     if (value.find_first_of("\r\n\t%") != std::string::npos)
-      refuse("A number holds no line break, no tabulator and no '%'.");
-    if (value.size() > 120) refuse("A number has 120 letters at most.");
+      refuse("A number cannot contain a line break, a tab or '%'.");
+    if (value.size() > 120) refuse("A number has at most 120 characters.");
     const Taken taken = takenBy(catalogue_.database(), value);
     const std::string key = uniqueKey(value);
     const auto [earlier, first] = numbers_.emplace(key, sherd.row);
     if (!first && earlier->second != sherd.row)
-      refuse("The number " + value + " would be given twice.");
+      refuse("The number " + value + " would be assigned twice.");
     if (!taken.sherd) return notOnAPlate(sherd, value);
     if (taken.sherd == sherd.row && !taken.slug_only) return;
     change.shown.in_the_way = taken.sherd;
@@ -116,7 +116,7 @@ class Examination {
       refuse("The files of " + value + " would have the same names as those of " + taken.number +
              ".");
     if (other && other->number != taken.number)
-      refuse("The number " + value + " was given before and is never used again.");
+      refuse("The number " + value + " was assigned before and is never reused.");
     refuse("The number " + value + " belongs to another sherd.");
   }
 
@@ -125,8 +125,8 @@ class Examination {
     if (!waiting_) waiting_ = typedAndWaiting(catalogue_);
     const auto plate = waiting_->find(uniqueKey(number));
     if (plate != waiting_->end() && plate->second != sherd.batch_number)
-      refuse("The number " + number + " was typed on a sherd of " + plate->second +
-             ", which is not computed yet.");
+      refuse("The number " + number + " was entered for a sherd of " + plate->second +
+             ", which is not processed yet.");
   }
 
   // The term itself, also when a label of another language or capitals were typed.
@@ -140,8 +140,8 @@ class Examination {
       }
     const auto found = known.find(uniqueKey(typed));
     if (found != known.end()) return found->second;
-    refuse("'" + typed + "' is no term of the vocabulary '" + vocabulary +
-           "'; choose another, or add it in the settings.");
+    refuse("'" + typed + "' is not a term of the vocabulary '" + vocabulary +
+           "'; choose another or add it in the settings.");
   }
 
   void terms(const std::string& vocabulary, std::string& value) {
@@ -167,13 +167,13 @@ class Examination {
     change.number = valueOrThrow(parsedNumber(value));
     if (half) change.uncertainty = valueOrThrow(parsedNumber(*half));
     if (change.uncertainty.value_or(0) < 0)
-      refuse("What follows the sign ± is above 0, or 0 where no uncertainty is known.");
-    if (!(change.number > 0)) refuse("A measurement is above 0.");
+      refuse("Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.");
+    if (!(change.number > 0)) refuse("Enter a value greater than 0.");
     if (unit == "mm" && change.number > kMostMillimetres)
-      refuse("No sherd is larger than 1000 mm; is this in millimetres?");
+      refuse("No sherd is larger than 1000 mm; check that the value is in millimetres.");
     if (unit == "g" && change.number > kMostGrams)
-      refuse("No sherd is heavier than 20 kg; is this in grams?");
-    if (unit == "pct" && change.number > 100) refuse("A share is 100 % at most.");
+      refuse("No sherd is heavier than 20 kg; check that the value is in grams.");
+    if (unit == "pct" && change.number > 100) refuse("A share cannot exceed 100 %.");
     change.shown.new_value = numberText(change.number);
     if (change.uncertainty) showUncertainty(sherd, change);
   }
@@ -234,8 +234,8 @@ class Examination {
     for (const std::string& typed : splitTerms(change.shown.new_value)) {
       SherdRow other = valueOrThrow(catalogue_.sherdByNumber(typed));
       if (!other) other = valueOrThrow(catalogue_.sherdById(typed));
-      if (!other) refuse("There is no sherd " + typed + " that it could join.");
-      if (other == sherd.row) refuse("A sherd does not join itself.");
+      if (!other) refuse("There is no sherd " + typed + " to join.");
+      if (other == sherd.row) refuse("A sherd cannot join itself.");
       change.joins.push_back(other);
     }
     std::sort(change.joins.begin(), change.joins.end());
@@ -263,7 +263,7 @@ class Examination {
     BagRow bag;
     if (!wanted["context"].empty()) {
       if (wanted["site"].empty())
-        refuse("The context " + wanted["context"] + " needs its site; name both.");
+        refuse("The context " + wanted["context"] + " needs its site; enter both.");
       context = valueOrThrow(
           catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
       if (!context)
@@ -276,12 +276,13 @@ class Examination {
       Statement rows =
           catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
       if (!rows.with(context, uniqueKey(wanted["bag"])).next())
-        refuse(!context ? "A bag lies in a context; enter the context first."
+        refuse(!context ? "A bag belongs to a context; enter the context first."
                : wanted["bag"] == sherd.bag_number
                    ? "Context " + wanted["context"] + " has no bag " + wanted["bag"] +
                          "; change or empty the bag at the same time."
                    : "There is no bag " + wanted["bag"] + " in context " + wanted["context"] +
-                         " yet; type it at the capture, or import a table of contexts with it.");
+                         " yet; enter it during capture or import a table of contexts that "
+                         "contains it.");
       rows >> bag;
     }
     for (Examined* change : changes)
@@ -416,7 +417,7 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
     sherd.bag = change.bag;
   } else if (field == "number") {
     if (!value.empty() && !sherd.context)
-      refuse("A sherd gets a number when its context is known.", value);
+      refuse("A sherd needs its context before it gets a number.", value);
     setNumber(catalogue, valueOrThrow(catalogue.sherd(row)), value);
     sherd.number = value;
   } else if (field == "void_reason") {

@@ -87,7 +87,7 @@ Values valuesOf(Database& database, const std::string& field) {
   if (field == "updated")
     return sweep<std::int64_t>(database, "SELECT updated_at, row FROM sherd ORDER BY updated_at");
   const SherdColumn* column = sherdColumn(field);
-  if (!column || !column->sql) refuse("The table cannot be ordered by '" + field + "'.");
+  if (!column || !column->sql) refuse("The table cannot be sorted by '" + field + "'.");
   const std::string name = column->field.name;
   if (column->measure) {
     const std::string measure = column->measure;

@@ -144,7 +144,7 @@ Result<std::vector<SherdRecord>> Catalogue::sherds(std::span<const SherdRow> row
     page.reserve(rows.size());
     for (const SherdRow& row : rows) {
       const auto sherd = found.find(row.value);
-      if (sherd == found.end()) refuse("A sherd is not in the catalogue any more.");
+      if (sherd == found.end()) refuse("A sherd is no longer in the catalogue.");
       page.push_back(sherd->second);
     }
     return page;
@@ -198,7 +198,7 @@ Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Provenance& pro
     const std::string id = s.id.empty() ? newId(now()) : s.id;
     if (!isUuid(id)) refuse("The uuid of a sherd is not well formed.", id);
     Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
-    if (same.with(id).next()) refuse("There is a sherd with this uuid already.", id);
+    if (same.with(id).next()) refuse("A sherd with this uuid already exists.", id);
     database_
         ->sql(
             "INSERT INTO sherd (id, created_at, created_by, updated_at, updated_by, number_sort, "
@@ -239,7 +239,7 @@ Result<void> Catalogue::setModel(SherdRow sherd, const std::string& model_path,
 Result<void> Catalogue::voidSherd(SherdRow sherd, const std::string& reason,
                                   const Provenance& provenance) {
   if (trimmed(reason).empty())
-    return Error{ErrorCode::UnusableInput, "A sherd is void for a reason; say which.", {}};
+    return Error{ErrorCode::UnusableInput, "A void sherd needs a reason; enter it.", {}};
   const FieldChange voided{sherd, "void_reason", reason};
   const Result<std::vector<FieldChange>> done = change(std::span(&voided, 1), provenance);
   return done ? Result<void>() : done.error();

@@ -94,7 +94,7 @@ SherdRecord placeOnPlate(const Catalogue& catalogue, BatchRow batch) {
 // Its number may be another, or there be one at all, since the label was printed.
 std::string numberOfLabel(const Catalogue& catalogue, const std::string& code) {
   const std::optional<LabelCode> label = readLabelCode(code);
-  if (!label) refuse("This is only a part of a sherd's label; read its code again.", code);
+  if (!label) refuse("This is only part of a sherd's label; scan its code again.", code);
   std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
   if (const SherdRow known = valueOrThrow(sherdOfLabel(catalogue, *label))) {
     const SherdRecord sherd = valueOrThrow(catalogue.sherd(known));
@@ -110,7 +110,7 @@ std::string wholeOf(const Catalogue& catalogue, const SherdRecord& place,
   if (beginsAsSherdLabel(text)) return numberOfLabel(catalogue, text);
   if (text.starts_with('=')) {
     const std::string itself = trimmed(std::string_view(text).substr(1));
-    if (itself.empty()) refuse("A number follows the sign =.", text);
+    if (itself.empty()) refuse("Enter a number after =.", text);
     return itself;
   }
   if (text.empty() || text.size() > kMostDigits ||
@@ -165,7 +165,8 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
     for (const TypedNumber& typed : numbers) {
       const std::string number = uniqueKey(typed.number);
       if (!seen.insert(number).second)
-        refuse("The number " + typed.number + " stands on two sherds of this plate.", typed.number);
+        refuse("The number " + typed.number + " appears on two sherds of this plate.",
+               typed.number);
       if (stood.contains(number)) continue;  // what is wrong with it hinders no other
       const Taken taken = takenBy(database, typed.number);
       const SherdRecord holder =
@@ -175,7 +176,7 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
           (waitsForPhotographs(catalogue, holder) && uniqueKey(holder.number) == number);
       const auto elsewhere = waiting.find(number);
       if (!may || (elsewhere != waiting.end() && elsewhere->second != own))
-        refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
+        refuse("The number " + typed.number + " already belongs to another sherd.", typed.number);
     }
     valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), textOf(numbers)));
   });

@@ -72,7 +72,7 @@ bool isEdtfDate(std::string_view text) {
 
 Result<std::string> checkedText(std::string_view text) {
   if (text.size() > kMostBytes) return Error::unusable("The text is longer than 1 MB.");
-  if (!isUtf8(text)) return Error::unusable("The text is not valid UTF-8, or holds a zero byte.");
+  if (!isUtf8(text)) return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
   return composed(trimmed(text));
 }
 
@@ -87,7 +87,7 @@ Result<std::string> checkedDay(std::string_view typed) {
     const int day = number(std::string_view(text).substr(8, 2));
     if (month >= 1 && month <= 12 && day >= 1 && day <= daysIn(year, month)) return text;
   }
-  return Error::unusable("A day is written as 2026-07-14 (year-month-day).");
+  return Error::unusable("Write the day as 2026-07-14 (year-month-day).");
 }
 
 Result<std::string> checkedEdtf(std::string_view typed) {
@@ -107,8 +107,8 @@ Result<std::string> checkedEdtf(std::string_view typed) {
   }
   if (good) return text;
   return Error::unusable(
-      "A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years "
-      "have four digits.");
+      "Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; "
+      "years have four digits.");
 }
 
 Result<std::string> checkedMunsell(std::string_view typed) {
@@ -130,7 +130,7 @@ Result<std::string> checkedMunsell(std::string_view typed) {
     const bool known = std::find(std::begin(kHues), std::end(kHues), name) != std::end(kHues);
     if ((hue == "N" || (letters > 0 && known)) && numeric(value) && numeric(chroma)) return text;
   }
-  return Error::unusable("A Munsell colour is written as 10YR 3/1 or N 4/.");
+  return Error::unusable("Write the Munsell colour as 10YR 3/1 or N 4/.");
 }
 
 namespace {
@@ -173,7 +173,7 @@ Result<double> parsedNumber(std::string_view typed) {
   const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
   if (text.empty() || code != std::errc() || end != text.data() + text.size() ||
       !std::isfinite(value))
-    return Error::unusable("'" + whole + "' is no number; write 12.5 or 12,5, without a unit.");
+    return Error::unusable("'" + whole + "' is not a number; write 12.5 or 12,5, without a unit.");
   return value;
 }
 
@@ -218,7 +218,8 @@ std::vector<std::string> termsFromJson(std::string_view text) {
 }
 
 Result<std::string> checkedPath(std::string_view typed) {
-  if (!isUtf8(typed)) return Error::unusable("The text is not valid UTF-8, or holds a zero byte.");
+  if (!isUtf8(typed))
+    return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
   const Result<ContainedPath> path = ContainedPath::parse(composed(typed));
   if (!path) return path.error();
   return path->text();

@@ -126,7 +126,7 @@ Result<Archived> archiveProject(const catalogue::Project& project, const Archive
                                 Progress& progress, std::stop_token stop) {
   const fs::path target = folderNamed(options.target);
   if (!target.lexically_relative(project.folder()).generic_string().starts_with(".."))
-    return Error::unusable("An archive must not lie in the project itself.",
+    return Error::unusable("An archive must be outside the project's folder.",
                            options.target.string());
   Result<BagWriter> bag = BagWriter::begin(target);
   if (!bag) return bag.error();
@@ -158,20 +158,19 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
                                 std::stop_token stop) {
   std::error_code code;
   if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code)))
-    return Error::unusable(
-        "A project is restored into a new or an empty folder; choose another name.",
-        folder.string());
+    return Error::unusable("Restoring a project needs a new or empty folder; choose another name.",
+                           folder.string());
   const Result<BagReader> bag = BagReader::open(archive, progress, stop);
   if (!bag) return bag.error();
   if (!bag->find("data/catalogue.sqlite"))
-    return Error::unusable("This is no archive of a whole project; read it as an export instead.",
+    return Error::unusable("Not an archive of a whole project; import it as an export instead.",
                            archive.string());
   for (const BagFile& file : bag->files())
     // SQLite would act on a journal that lies beside the catalogue.
     if (file.path.starts_with("data/catalogue.sqlite-"))
       return Error::unusable(
-          "The archive holds a journal of its catalogue, which no archive of "
-          "Ostraka does; nothing was written.",
+          "The archive contains a journal of its catalogue, which an Ostraka archive never does; "
+          "nothing was written.",
           file.path);
   std::vector<fs::path> made;  // the innermost first
   for (fs::path parent = folderNamed(folder).parent_path(); !fs::exists(parent, code);

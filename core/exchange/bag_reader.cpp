@@ -66,7 +66,7 @@ Result<std::string> bytesOf(OpenFile& file, std::size_t max_bytes, const std::st
 }
 
 Error changedSince(const std::string& where) {
-  return Error::unusable("This file was changed after the export; nothing was read.", where);
+  return Error::unusable("This file has changed since the export; nothing was read.", where);
 }
 
 }  // namespace
@@ -80,16 +80,15 @@ Result<Hashes> BagReader::tagFiles() const {
   std::string hash;
   const Result<std::string> declaration = read("bagit.txt", hash);
   if (!declaration || !declaration->starts_with("BagIt-Version: "))
-    return Error::unusable("This folder is no export of Ostraka: bagit.txt is missing.",
+    return Error::unusable("Not an Ostraka export: this folder has no bagit.txt.",
                            folder_.path().string());
   const Result<std::string> tags = read(kTags, hash);
   if (!tags)
-    return Error::unusable("The manifest is missing; this is no export of Ostraka.", where(kTags));
+    return Error::unusable("The manifest is missing; not an Ostraka export.", where(kTags));
   const Result<Hashes> hashes = parseManifest(*tags, where(kTags));
   if (!hashes) return hashes.error();
   if (!hashes->contains(kPayload))
-    return Error::unusable("The manifest is missing; this is no export of Ostraka.",
-                           where(kPayload));
+    return Error::unusable("The manifest is missing; not an Ostraka export.", where(kPayload));
   Hashes texts;
   for (const auto& [name, wanted] : *hashes) {
     if (!kTagFiles.contains(name))

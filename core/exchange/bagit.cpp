@@ -43,7 +43,7 @@ fs::path folderNamed(const fs::path& folder) {
 Result<BagWriter> BagWriter::begin(const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code))
-    return Error::unusable("There is a folder of this name already; choose another name.", target);
+    return Error::unusable("A folder with this name already exists; choose another name.", target);
   Result<NewFolder> folder = NewFolder::begin(target);
   if (!folder) return folder.error();
   if (const Result<void> made = makeFolder(folder->path() / "data"); !made) return made.error();
@@ -54,7 +54,7 @@ Result<void> BagWriter::take(const std::string& path) {
   const Result<std::string> good = catalogue::checkedPath(path);
   if (!good) return good.error();
   if (path.find('%') != std::string::npos)
-    return Error::unusable("A name in an export must not hold '%'.", path);
+    return Error::unusable("A name in an export must not contain '%'.", path);
   return distinct_.add(path);
 }
 
@@ -119,8 +119,8 @@ Result<void> BagWriter::finish(const std::map<std::string, std::string>& info,
     if (Result<void> good = check(folder_.path()); !good) return good;
   std::error_code code;
   if (fs::exists(target_, code))
-    return Error::unusable("Somebody made a folder of this name meanwhile; choose another name.",
-                           target_);
+    return Error::unusable(
+        "A folder with this name was created in the meantime; choose another name.", target_);
   return folder_.finish();
 }
 

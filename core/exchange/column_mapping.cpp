@@ -120,7 +120,7 @@ class Mapper {
     if (mapping_.of_contexts && !(isTaken("site") && isTaken("context")))
       return Error{ErrorCode::UnusableInput,
                    "The table needs a column for the sherds' numbers, or columns for site and "
-                   "context (contexts); say which they are.",
+                   "context (contexts); select them.",
                    where_};
     for (std::size_t i = 0; i < mapping_.columns.size(); ++i)
       if (Result<void> good = settle(mapping_.columns[i], i); !good) return good.error();

@@ -56,17 +56,17 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"area_mm2", "mm2", "area of the whole surface, broken edges included"},
       {"volume_mm3", "mm3", "volume of the closed model"},
       {"filled_pct", "%", "share of the surface that no camera saw and that was closed"},
-      {"rim_diameter_mm", "mm", "diameter of the vessel's mouth, estimated from a rim sherd"},
-      {"rim_pct", "%", "share of the mouth's circle that is kept"},
+      {"rim_diameter_mm", "mm", "rim diameter of the vessel, estimated from a rim sherd"},
+      {"rim_pct", "%", "share of the rim's circle that is preserved"},
       {"weight_g", "g", "weight, typed in"},
       {"batch", "", "batch of photographs that the sherd was measured in"},
       {"scale", "",
-       "doubtful: lengths known besides the plate contradict it, so that all measures by the "
-       "program may be wrong by the same factor"},
+       "doubtful: known lengths other than the plate's contradict the scale, so all measurements "
+       "by the program may be wrong by the same factor"},
       {"note", "", "note"},
       {"measured_by_hand", "",
-       "columns whose measures a person took or entered, separated by '; '; the others are the "
-       "program's"},
+       "columns whose measurements a person took or entered, separated by '; '; the program "
+       "measured the others"},
       {"mass_centre_x_mm", "mm", "centre of mass of the model, in the coordinates of its PLY file"},
       {"mass_centre_y_mm", "mm", "the same, second coordinate"},
       {"mass_centre_z_mm", "mm", "the same, third coordinate, upwards from the plate"},

@@ -19,9 +19,7 @@ using namespace catalogue;
 
 Error unknown(const std::string& what, const std::string& code) {
   return {ErrorCode::UnusableInput,
-          "There is no " + what + " " + code +
-              "; make it, or let the "
-              "import make it.",
+          "There is no " + what + " " + code + "; create it or let the import create it.",
           {}};
 }
 
@@ -93,7 +91,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   values.text("note", context.note);
   const std::string closed = uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
-    return Error{ErrorCode::UnusableInput, "The column closed takes yes or no.", {}};
+    return Error{ErrorCode::UnusableInput, "The column closed accepts yes or no.", {}};
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
   if (const auto saved = catalogue.save(context, provenance); !saved) return saved.error();
@@ -111,7 +109,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   if (bag.count_written) count = *bag.count_written;
   if (Result<void> counted = values.number("count_written", count); !counted) return counted;
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
-    return Error{ErrorCode::UnusableInput, "The column count_written takes a whole number.", {}};
+    return Error{ErrorCode::UnusableInput, "The column count_written accepts a whole number.", {}};
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
   const auto saved = catalogue.save(bag, provenance);
   return saved ? Result<void>() : saved.error();
@@ -253,8 +251,8 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
   if (!entered) return entered.error();
   report.not_reached = static_cast<int>(table.rows.size() - *entered);
   if (const std::vector<std::string> made = entering.madePlaces(); !made.empty())
-    report.warnings.push_back("Sites and trenches that were not there: " + joined(made, ", ") +
-                              "; look that none is a slip of the pen.");
+    report.warnings.push_back("New sites and trenches: " + joined(made, ", ") +
+                              "; check for typos.");
   return report;
 }
 

@@ -64,7 +64,7 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   // Programs that put their mark before a text that has one leave several.
   while (text.starts_with(kBom)) text.erase(0, kBom.size());
   if (text.find('\0') != std::string::npos)
-    return Error::unusable("The file is no text: it holds binary data, which no table does.",
+    return Error::unusable("Not a text file: it contains binary data, which a table never does.",
                            where);
   if (!catalogue::isUtf8(text)) {
     std::size_t good = 0;
@@ -139,8 +139,7 @@ class Parser {
       while (true) {
         if (at_ >= text_.size())
           return Error::unusable(
-              "Line " + std::to_string(begin) + " opens a quotation mark that is never closed.",
-              where_);
+              "Line " + std::to_string(begin) + " has an unclosed quotation mark.", where_);
         if (text_[at_] == '"') {
           if (at_ + 1 >= text_.size() || text_[at_ + 1] != '"') break;
           ++at_;
@@ -153,7 +152,7 @@ class Parser {
       if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
           text_[at_] != '\r')
         return Error::unusable(
-            "Line " + std::to_string(line_) + " has letters behind a closing quotation mark.",
+            "Line " + std::to_string(line_) + " has characters after a closing quotation mark.",
             where_);
       return value;
     }

@@ -51,7 +51,7 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
   const std::string id = nameOf(sherd);
   if (sherd.model_path.empty())
     return Error{ErrorCode::UnusableInput,
-                 "This sherd has no model yet, so it cannot be drawn; compute its batch first.",
+                 "This sherd has no model yet, so it cannot be drawn; process its batch first.",
                  id};
   const Result<PlyContents> model = readPly(project / sherd.model_path);
   if (!model) return model.error();
@@ -62,16 +62,17 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
   if (sherd.state == catalogue::SherdState::Void)
     how.remarks.push_back(sherd.void_reason.empty()
                               ? "This sherd is void."
-                              : "This sherd is void, because: " + sherd.void_reason);
+                              : "This sherd is void; reason: " + sherd.void_reason);
   if (sherd.scale_doubtful)
     how.remarks.push_back(
-        "The measures of its batch are in doubt: so is the size of this drawing.");
+        "The measurements of its batch are in doubt, and so is the size of this drawing.");
   Result<drawing::SherdDrawing> drawn = drawing::drawSherd(model->mesh, id, how);
   if (drawn || how.rim != RimChoice::Yes) return drawn;
   // No stretch of the edge can be a lip, or the model itself is at fault: then this fails, too.
   how.rim = RimChoice::No;
   how.remarks.push_back(
-      "It is said to be a rim, but no stretch of its edge can be one; drawn without.");
+      "The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a "
+      "rim.");
   return drawing::drawSherd(model->mesh, id, how);
 }
 

@@ -95,7 +95,7 @@ class Exporting {
       progress_.report(done_++, total_);
       std::error_code code;
       if (!fs::is_regular_file(file.from, code)) {
-        exported_.warnings.push_back(file.from.string() + " is not there and was left out.");
+        exported_.warnings.push_back(file.from.string() + " is missing and was left out.");
         continue;
       }
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
@@ -105,7 +105,7 @@ class Exporting {
       if (!added) return added.error();
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
         exported_.warnings.push_back(file.from.string() +
-                                     " is not the photograph that was entered; check it.");
+                                     " differs from the recorded photograph; check it.");
       if (file.sherd) name(file.sherd, file.role, file.to, *added);
     }
     return {};
@@ -116,12 +116,11 @@ class Exporting {
     Result<std::string> bytes = readFile(file.from);
     if (!bytes) return bytes.error();
     if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
-      return Error{ErrorCode::UnusableInput,
-                   "This model or picture of the sherd " +
-                       (sherd.number.empty() ? sherd.id : sherd.number) +
-                       " is not the one that was entered; compute its batch " + sherd.batch_number +
-                       " again.",
-                   file.from.string()};
+      return Error{
+          ErrorCode::UnusableInput,
+          "This model or picture of the sherd " + (sherd.number.empty() ? sherd.id : sherd.number) +
+              " differs from the recorded one; reprocess its batch " + sherd.batch_number + ".",
+          file.from.string()};
     ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
     if (isModel(file.form) && options_.deviation_mm > 0) {
       const Result<LighterModel> lighter = lightened(sherd, *bytes, file.from.string());
@@ -150,7 +149,8 @@ class Exporting {
     if (!model) return lighter_ = model.error();
     lighter_ = lighterModel(model->mesh, options_.deviation_mm);
     if (lighter_) return lighter_;
-    exported_.warnings.push_back(where + " goes along whole: " + lighter_.error().sentence());
+    exported_.warnings.push_back(where +
+                                 " is exported in full detail: " + lighter_.error().sentence());
     return lighter_ = LighterModel{std::move(model->mesh), 0};
   }
 
@@ -279,7 +279,7 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
                               std::span<const SherdRow> rows, const ExportOptions& options,
                               Progress& progress, std::stop_token stop) {
   if (rows.empty())
-    return Error{ErrorCode::UnusableInput, "There is no sherd to export; choose some first.", {}};
+    return Error{ErrorCode::UnusableInput, "No sherds to export; select some first.", {}};
   Exported exported;
   // Tables, records and names of files agree, whatever is edited meanwhile.
   const Result<void> all = catalogue.inSnapshot([&]() -> Result<void> {

@@ -129,7 +129,7 @@ Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const SherdRecord& sher
         page.minCoeff() <= wanted.minCoeff() + 0.1 && page.maxCoeff() <= wanted.maxCoeff() + 0.1;
     if (fits || scale == scales.back()) return DrawnSheets{std::move(pages), std::move(remarks)};
   }
-  return Error{ErrorCode::Failed, "There is no scale to draw it at.", sherd.number};
+  return Error{ErrorCode::Failed, "The drawing needs a scale.", sherd.number};
 }
 
 Result<std::string> glbOf(const TriangleMesh& mesh, const SherdRecord& sherd) {

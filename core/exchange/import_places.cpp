@@ -36,7 +36,8 @@ bool isOfTheProgram(const std::string& part) {
 Result<ContainedPath> importPlace(const std::string& path, const std::string& batch) {
   const auto refused = [&] {
     return Error::unusable(
-        "The export names a place in the project where no such file belongs; nothing was entered.",
+        "The export names a location in the project where no such file belongs; nothing was "
+        "imported.",
         path.substr(0, 255));
   };
   const Result<std::string> text = catalogue::checkedPath(path);

@@ -96,8 +96,8 @@ class Importing {
     if (!lost) return lost.error();
     if (!lost->empty())
       report_.warnings.push_back(
-          "Joins with rows that did not enter are left out: " + joined(*lost, ", ") +
-          "; import the table again when these rows are corrected.");
+          "Joins with rows that were not imported are left out: " + joined(*lost, ", ") +
+          "; correct these rows, then import the table again.");
     return {};
   }
 
@@ -115,10 +115,10 @@ class Importing {
       return refuse(refusal, "number", "", "The row has neither a number nor a uuid.");
     for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
       if (!value.empty() && !seen_[column].insert(catalogue::uniqueKey(value)).second)
-        return refuse(refusal, column, value, "This stands in two rows of the table.");
+        return refuse(refusal, column, value, "This appears in two rows of the table.");
     SherdRow by_uuid, by_number;
     if (!uuid.empty()) {
-      if (!catalogue::isUuid(uuid)) return refuse(refusal, "uuid", uuid, "This is no uuid.");
+      if (!catalogue::isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
       const Result<SherdRow> found = catalogue_.sherdById(uuid);
       if (!found) return found.error();
       by_uuid = *found;
@@ -130,7 +130,7 @@ class Importing {
     }
     if (by_number && !uuid.empty() && by_uuid != by_number)
       return refuse(refusal, "number", number,
-                    "The number belongs to another sherd than the uuid.");
+                    "The number and the uuid belong to different sherds.");
     return by_uuid ? by_uuid : by_number;
   }
 
@@ -283,7 +283,7 @@ Result<void> checkColumns(const CsvTable& table, const std::string& where) {
     if (column.empty())
       return Error{ErrorCode::UnusableInput, "A column of the table has no name.", where};
     if (!seen.insert(column).second)
-      return Error{ErrorCode::UnusableInput, "The column '" + column + "' is there twice.", where};
+      return Error{ErrorCode::UnusableInput, "The column '" + column + "' appears twice.", where};
   }
   return {};
 }
@@ -314,8 +314,9 @@ std::vector<Refusal> takeBroken(CsvTable& table) {
     broken.push_back({row.line,
                       {},
                       {},
-                      "The row has " + std::to_string(row.values.size()) + " values, the header " +
-                          std::to_string(table.columns.size()) + "."});
+                      "The row has " + std::to_string(row.values.size()) +
+                          " values, but the header has " + std::to_string(table.columns.size()) +
+                          "."});
     return true;
   });
   return broken;
@@ -346,10 +347,9 @@ std::string ownField(const ColumnChoice& choice, const TableMapping& mapping) {
   if (field.empty()) field = fieldOfColumn(nameAndUnit(choice.column).name, mapping.of_contexts);
   for (const ColumnChoice& other : mapping.columns)
     if (!field.empty() && other.field == field && other.column != choice.column)
-      return "The column '" + choice.column + "' says the same as '" + other.column +
-             "'; its values are kept as a field of your own.";
-  return "The column '" + choice.column +
-         "' is not known; its values are kept as a field of your own.";
+      return "The column '" + choice.column + "' means the same as '" + other.column +
+             "'; its values are kept as a custom field.";
+  return "The column '" + choice.column + "' is unknown; its values are kept as a custom field.";
 }
 
 }  // namespace
@@ -361,7 +361,7 @@ Result<void> previewOrEnter(Catalogue& catalogue, ImportMode mode,
     if (Result<void> worked = work(); !worked) return worked;
     whole = true;
     if (mode == ImportMode::Enter) return {};
-    return Error{ErrorCode::Cancelled, "A preview is taken back.", {}};
+    return Error{ErrorCode::Cancelled, "The preview was undone.", {}};
   });
   return whole && mode == ImportMode::Preview ? Result<void>() : done;
 }

@@ -49,15 +49,15 @@ struct Part {
   const char* text;
 };
 constexpr Part kParts[] = {
-    {"sherds.csv", "one line a sherd; lengths in mm, areas in mm2, volumes in mm3, weights in g"},
+    {"sherds.csv", "one row per sherd; lengths in mm, areas in mm2, volumes in mm3, weights in g"},
     {"contexts.csv", "where the sherds were found"},
-    {"columns.csv", "what the columns of both mean"},
+    {"columns.csv", "meanings of the columns of both tables"},
     {"sherds.ods", "sherds, contexts and their columns as one spreadsheet"},
-    {"sherds/", "one JSON record a sherd (format ostraka-sherd/1, words in context.jsonld)"},
+    {"sherds/", "one JSON record per sherd (format ostraka-sherd/1, terms in context.jsonld)"},
     {"models/",
      "closed surfaces: PLY and OBJ in mm with z up, GLB in metres with y up,\n"
      "                 the GLB simplified, nearly all of it by less than 0.05 mm; models that\n"
-     "                 were made lighter say in the file how far off they are"},
+     "                 were simplified state their deviation in the file"},
     {"images/", "a picture of each model"},
     {"photographs/", "the photographs that the models were made from, unchanged"},
     {"drawings/", "drawings for print"},
@@ -67,12 +67,12 @@ constexpr Part kParts[] = {
      "                 colmap gui --import_path views/B0001/front/sparse"}};
 constexpr const char* kMetadata =
     "metadata/        the project, its places, its batches with scans and decisions,\n"
-    "                 the words of its vocabularies that the sherds use\n";
+    "                 the vocabulary terms that the sherds use\n";
 constexpr const char* kGuarded =
     "\nIn a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
-    "does\nnot take it for a formula.\n";
+    "does\nnot read it as a formula.\n";
 constexpr const char* kBag =
-    "\nThe folder is a bag after RFC 8493. In the folder above this one, `sha256sum -c\n"
+    "\nThe folder is a bag as defined in RFC 8493. In the folder above this one, `sha256sum -c\n"
     "manifest-sha256.txt` checks every file.\n";
 
 std::string listOf(const std::vector<BagFile>& exported) {
@@ -104,10 +104,10 @@ Result<std::string> readMe(const Catalogue& catalogue, const std::set<BatchRow>&
   }
   if (doubts.empty()) return listOf(exported);
   return listOf(exported) +
-         "\nMeasures in doubt\n"
-         "-----------------\n"
-         "The models and measures of these batches may be wrong (in sherds.csv their\n"
-         "column scale says doubtful, in the models' files a comment does):\n\n" +
+         "\nMeasurements in doubt\n"
+         "---------------------\n"
+         "The models and measurements of these batches may be wrong (in sherds.csv the\n"
+         "column scale says doubtful; the models' files have a comment):\n\n" +
          doubts;
 }
 
@@ -333,7 +333,7 @@ class Reading {
 
 Result<json> jsonOf(const BagReader& bag, const std::string& path) {
   const BagFile* file = bag.find(path);
-  if (!file) return Error::unusable("This file is not among the files of the export.", path);
+  if (!file) return Error::unusable("This file is not part of the export.", path);
   const Result<std::string> text = bag.read(*file, std::size_t{64} << 20);
   return text ? parseJson(*text, path) : text.error();
 }
@@ -405,7 +405,7 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const BagReader& bag,
     }
     return readBatches(catalogue, *batches, reading.rows(), provenance);
   } catch (const json::exception& refused) {
-    return unusableJson(refused, "These places and batches are not written as Ostraka writes them.",
+    return unusableJson(refused, "These places and batches are not in Ostraka's format.",
                         "data/metadata");
   }
 }

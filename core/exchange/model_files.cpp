@@ -29,12 +29,12 @@ std::string comments(const ModelLabel& label, const std::string& begin) {
   if (!label.licence.empty()) text += " licence " + label.licence;
   std::string lines = begin + oneLine(text) + "\n";
   if (label.deviation_mm >= 0)
-    lines += begin + "lighter than the model as computed: 99.9 % within " +
+    lines += begin + "simplified from the full-detail model: 99.9 % within " +
              catalogue::numberText(label.deviation_mm) + " mm, all within " +
              catalogue::numberText(label.farthest_mm) + " mm\n";
   std::istringstream doubts(label.scale_doubts);
   for (std::string doubt; std::getline(doubts, doubt);)
-    if (!doubt.empty()) lines += begin + "measures in doubt: " + oneLine(doubt) + "\n";
+    if (!doubt.empty()) lines += begin + "measurements in doubt: " + oneLine(doubt) + "\n";
   return lines;
 }
 
@@ -49,7 +49,7 @@ void append(std::string& out, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
 }
 
-constexpr std::string_view kPlyDoubt = "comment measures in doubt: ";
+constexpr std::string_view kPlyDoubt = "comment measurements in doubt: ";
 
 // Where the label stands: objects, or nothing yet.
 bool takesLabel(const ordered_json& model) {
@@ -73,7 +73,7 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
   const std::size_t first = ply.find("format ");
   if (!ply.starts_with("ply\n") || end == std::string_view::npos ||
       first == std::string_view::npos || first > end)
-    return Error::unusable("This is no PLY file.", where);
+    return Error::unusable("Not a PLY file.", where);
   const std::size_t at = ply.find('\n', first) + 1;
   // A model that was read back from an export may carry a doubt that is settled since.
   std::string rest;
@@ -86,7 +86,7 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
 
 Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
                                 const std::string& where) {
-  const Error no_glb = Error::unusable("This is no GLB file.", where);
+  const Error no_glb = Error::unusable("Not a GLB file.", where);
   if (glb.size() < 20 || u32(glb, 0) != kGlb || u32(glb, 8) != glb.size() || u32(glb, 16) != kJson)
     return no_glb;
   const std::size_t size = u32(glb, 12);

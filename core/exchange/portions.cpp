@@ -65,8 +65,8 @@ Result<std::size_t> enterInPortions(Catalogue& catalogue, std::size_t count,
     if (const Result<void> done = catalogue.together(portion); !done) {
       Error error = done.error();
       if (error.code != ErrorCode::Cancelled)
-        error.what += " Of " + std::to_string(count) + " rows " + std::to_string(entered) +
-                      " are entered; the same import enters the others.";
+        error.what += " " + std::to_string(count) + " rows in total, " + std::to_string(entered) +
+                      " imported; run the same import again for the others.";
       return error;
     }
     if (next < count) std::this_thread::sleep_for(kForOthers);

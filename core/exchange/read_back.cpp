@@ -137,7 +137,7 @@ class ReadingBack {
     }
     if (records_.empty())
       return Error{ErrorCode::UnusableInput,
-                   "This export holds no records (JSON) of sherds; export it again with them.",
+                   "This export contains no sherd records (JSON); export it again with them.",
                    folder_.string()};
     return {};
   }
@@ -184,8 +184,8 @@ class ReadingBack {
       if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
       kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
       kept.refusals.push_back({record.row.line, "number", sherd->number,
-                               "The project has this sherd with other values; they stay, and what "
-                               "differs is kept beside them in fields that end in _in_" +
+                               "The project has this sherd with other values and keeps them; "
+                               "differing values are added in fields that end in _in_" +
                                    name_ + "."});
     }
     Result<ImportReport> report =
@@ -197,7 +197,7 @@ class ReadingBack {
     if (Result<void> all = copiesAreThere(); !all) return all.error();
     if (!lost_joins_.empty())
       report->warnings.push_back(
-          "Joins with sherds that the export does not hold, or that did not enter, are left out: " +
+          "Joins with sherds that are not in the export or were not imported are left out: " +
           joined(lost_joins_, ", ") + "; enter them by hand.");
     report->same += kept.same;
     report->changes.insert(report->changes.end(), kept.changes.begin(), kept.changes.end());
@@ -256,8 +256,7 @@ class ReadingBack {
     std::map<std::string, std::string> hashes;
     for (const FileCopy& copy : copies_) {
       const BagFile* file = bag_.find("data/" + copy.from);
-      if (!file)
-        return Error::unusable("This file is not among the files of the export.", copy.from);
+      if (!file) return Error::unusable("This file is not part of the export.", copy.from);
       if (hashes.try_emplace(copy.to, file->sha256).first->second != file->sha256)
         return Error::unusable("Two files of the export would have the same name.", copy.to);
     }
@@ -272,7 +271,7 @@ class ReadingBack {
     if (!sum) return sum.error();
     if (sum->sha256 == from.sha256) return {};
     return Error::unusable(
-        "The project has another file of this name; rename the export, and import it again.",
+        "The project has another file with this name; rename the export and import it again.",
         there->name());
   }
 

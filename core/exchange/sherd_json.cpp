@@ -175,7 +175,7 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
     return Error{ErrorCode::UnusableInput, what, where};
   };
   if (!value->is_object() || value->value("format", json()) != "ostraka-sherd/1")
-    return bad("This is no record of a sherd (ostraka-sherd/1).");
+    return bad("Not a sherd record (ostraka-sherd/1).");
   ReadSherdJson read;
   try {
     for (const auto& [pointer, field] : kTexts) {
@@ -196,7 +196,7 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
       if (m.contains("uncertainty")) measurement.uncertainty = numberAt(m, "uncertainty");
       if (m.value("unit", catalogue::unitOf(measurement.kind)) !=
           catalogue::unitOf(measurement.kind))
-        return bad("The measurement " + measurement.kind + " has another unit than " +
+        return bad("The measurement " + measurement.kind + " has a unit other than " +
                    catalogue::unitOf(measurement.kind) + ".");
       read.row.measured.emplace_back(std::move(measurement), m.value("by", ""));
     }
@@ -214,8 +214,7 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
       if (!kKnown.contains(key))
         read.row.values["extra." + key] = own.is_string() ? own.get<std::string>() : own.dump();
   } catch (const json::exception& refused) {
-    return bad(
-        unusableJson(refused, "A value of the record has another type than it should.", {}).what);
+    return bad(unusableJson(refused, "A value of the record has the wrong type.", {}).what);
   }
   return read;
 }

@@ -65,12 +65,11 @@ Result<std::optional<std::vector<SherdRow>>> TableJoins::of(std::size_t i, const
     const Result<SherdRow> partner = other ? sherdOf(*other, catalogue) : byName(name, catalogue);
     if (!partner) return partner.error();
     if (other == i || *partner == now.row)
-      return Error{ErrorCode::UnusableInput, "A sherd does not join itself.", {}};
+      return Error{ErrorCode::UnusableInput, "A sherd cannot join itself.", {}};
     if (*partner)
       joins.push_back(*partner);
     else if (!other)
-      return Error{
-          ErrorCode::UnusableInput, "There is no sherd " + name + " that it could join.", {}};
+      return Error{ErrorCode::UnusableInput, "There is no sherd " + name + " to join.", {}};
   }
   for (const std::size_t other : row.named_by) {
     const Result<SherdRow> partner = sherdOf(other, catalogue);

@@ -60,7 +60,7 @@ Result<std::string> zipped(const std::vector<ZipEntry>& entries) {
   for (const ZipEntry& entry : entries) total += entry.bytes.size() + 2 * entry.name.size() + 128;
   if (total > kMostBytes || entries.size() > std::numeric_limits<std::uint16_t>::max())
     return Error{
-        ErrorCode::UnusableInput, "This is too large for one ZIP file; choose fewer sherds.", {}};
+        ErrorCode::UnusableInput, "This is too large for one ZIP file; select fewer sherds.", {}};
   std::string out, central;
   out.reserve(total);
   for (const ZipEntry& entry : entries) {

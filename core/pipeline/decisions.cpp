@@ -135,7 +135,7 @@ void takeAlong(PairDecision& decision, const PairDecision& replaced, const Candi
 
 Result<void> checked(const PairDecision& d) {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (d.by.empty()) return bad("A decision needs the name of the person who takes it.");
+  if (d.by.empty()) return bad("A decision needs the name of the person who makes it.");
   const std::size_t n = d.scans.size();
   const auto side = [&](std::size_t i) { return d.scans[i].side; };
   switch (d.kind) {

@@ -74,7 +74,8 @@ Result<Grounds> readGrounds(const fs::path& file) {
     }
   } catch (const nlohmann::json::exception&) {
     return Error::unusable(
-        "It does not say what the sherds stand on; delete it, and that is found again.", file);
+        "The file does not describe what the sherds stand on; delete it to determine this again.",
+        file);
   }
   return grounds;
 }
@@ -265,7 +266,7 @@ Result<std::array<rig::SheetBend, 2>> readBends(const fs::path& file) {
     }
   } catch (const nlohmann::json::exception&) {
     return Error::unusable(
-        "It does not say how the sheets are bent; delete it, and they are measured again.", file);
+        "The file does not describe how the sheets bend; delete it to measure them again.", file);
   }
   return bends;
 }

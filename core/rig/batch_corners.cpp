@@ -76,7 +76,7 @@ Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int t
       progress.note(NoteLevel::Warning, unreadable[i] + " This picture is left out.");
     else if (views[i].points.empty())
       progress.note(NoteLevel::Warning,
-                    views[i].file + ": The board is not seen; this picture is left out.");
+                    views[i].file + ": The board was not detected; this picture is left out.");
   }
   return views;
 }

@@ -79,9 +79,9 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
   std::error_code absent;
   if (!fs::exists(folder / "board.json", absent))
     return Error{ErrorCode::UnusableInput,
-                 "There is nothing to calibrate from: photograph the plate at each stop into "
-                 "'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy "
-                 "plate.json and board.json beside them.",
+                 "Nothing to calibrate from: photograph the plate at each position into 'front' "
+                 "(cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and "
+                 "board.json next to them.",
                  folder.string()};
   const Result<Target> target = readTarget(folder / "board.json");
   if (!target) return target.error();
@@ -93,8 +93,7 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
   });
   if (files.empty())
     return Error{ErrorCode::UnusableInput,
-                 "There are no pictures of the board; put them here, or into 'calib'.",
-                 folder.string()};
+                 "No pictures of the board found; put them here or into 'calib'.", folder.string()};
   std::vector<Found> found(files.size());
   constexpr std::size_t kBlock = 8;  // between two looks at the stop
   for (std::size_t first = 0; first < files.size(); first += kBlock) {
@@ -129,7 +128,8 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
       camera.height = found[i].size.height;
     }
     if (found[i].size != cv::Size(camera.width, camera.height))
-      camera.set_aside.push_back(name + ": its size is not that of the first; it is set aside.");
+      camera.set_aside.push_back(
+          name + ": its size differs from that of the first picture; it is set aside.");
     else
       camera.views.push_back(std::move(found[i].view));
   }

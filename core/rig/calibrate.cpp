@@ -37,8 +37,8 @@ class Poser {
   Result<BatchPoses> run() {
     if (!batch_.plate)
       return Error{ErrorCode::NotEnough,
-                   "There is no plate.json, so the plate's markers cannot be used; copy the one "
-                   "here that 'ostraka plate' wrote with the plate.",
+                   "plate.json is missing, so the plate's markers cannot be used; copy the file "
+                   "that 'ostraka plate' wrote with the plate into this folder.",
                    batch_.folder.string()};
     numberEverything();
     Result<std::vector<ShotMarkers>> shots =
@@ -190,13 +190,13 @@ class Poser {
     if (!report)
       return Error{ErrorCode::NotEnough,
                    "The lens of " + cameraName(camera) +
-                       " is not known: there are neither usable pictures of the board nor markers "
-                       "of the plate; add pictures of the board to 'calib'.",
+                       " is unknown: no usable pictures of the board and no plate markers were "
+                       "found; add pictures of the board to 'calib'.",
                    batch_.folder.string()};
     state_.cameras[camera].intrinsics = report->intrinsics;
     warn("The lens of " + cameraName(camera) +
          " was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' "
-         "for exact measures.");
+         "for accurate measurements.");
     return {};
   }
 
@@ -308,8 +308,7 @@ class Poser {
       fits = false;
       warn("The known rig no longer fits: " + cameraName(c) + " misses the markers by " +
            fixed(typical, 2) +
-           " px; the cameras' places are estimated anew for this batch, "
-           "calibrate the rig again.");
+           " px. The camera poses are re-estimated for this batch; recalibrate the rig.");
     }
     return fits;
   }
@@ -415,13 +414,14 @@ class Poser {
       }
       if (used == 0 && markers_[i].size() >= kTellTale) {
         warn(image.file + ": none of its " + std::to_string(markers_[i].size()) +
-             " markers lies where this camera sees them at this stop. It bears another "
-             "photograph's name, or was taken while the plate turned; it is left out.");
+             " markers is where this camera sees them at this position. It has another "
+             "photograph's name or was taken while the plate was turning; it is left out.");
         continue;
       }
       if (used == 0)
         warn(image.file +
-             ": no marker can be seen in it; does it show this stop? If not, take it again.");
+             ": no marker is visible; check that the photograph shows this position. If not, "
+             "retake it.");
       sum += squares;
       count += 4 * used;
       out_.images.push_back(std::move(image));
@@ -436,8 +436,8 @@ class Poser {
         return Error{ErrorCode::NotEnough,
                      std::string("Only ") + std::to_string(views) + " photographs of the " +
                          batch::name(side) +
-                         " side have a pose, at least 3 are needed; check "
-                         "that the plate's markers are lit and in the picture.",
+                         " side have a pose; at least 3 are needed. Check that the plate's markers "
+                         "are lit and in the picture.",
                      batch_.folder.string()};
     }
     out_.reprojection_rms_px = rms(sum, count);

@@ -41,30 +41,31 @@ void adviseOnStops(const BatchPoses& poses, std::vector<std::string>& missing) {
       poor[poses.images[i].camera].push_back(std::string(batch::name(poses.images[i].side)) + " " +
                                              std::to_string(poses.images[i].stop + 1));
   for (const auto& [camera, stops] : poor)
-    missing.push_back(cameraName(camera) + " sees fewer than six of the plate's markers at stop " +
+    missing.push_back(cameraName(camera) +
+                      " sees fewer than six of the plate's markers at position " +
                       enumerated(stops) +
-                      "; check light and focus there and that nothing lies on the markers.");
+                      "; check lighting and focus there and that nothing covers the markers.");
   if (poses.rig.stops.size() < 4)
     missing.push_back("Only " + std::to_string(poses.rig.stops.size()) +
-                      " stops were photographed; take at least four around the whole turn, so that "
-                      "the axis is found.");
+                      " positions were photographed; photograph at least four around the full turn "
+                      "to determine the axis.");
 }
 
 void adviseOnScale(const CalibrationReport& report, std::vector<std::string>& missing) {
   if (report.held_out.empty())
     missing.push_back(
-        "Fewer than eight markers were seen, so no distance could be kept out of the fit: the "
+        "Fewer than eight markers were detected, so no distance could be held out of the fit: the "
         "scale is not checked.");
   for (const HeldOutDistance& d : report.held_out)
     if (const std::optional<std::string> doubt = scaleDoubt(d)) missing.push_back(*doubt);
   for (const MeasuredLength& m : report.lengths) {
     const double error = m.found_mm / m.length.mm - 1;
     if (std::abs(error) > kMostScaleError)
-      missing.push_back("Between the markers " + std::to_string(m.length.first) + " and " +
-                        std::to_string(m.length.second) + " you measured " + fixed(m.length.mm, 2) +
-                        " mm, plate.json makes it " + fixed(m.found_mm, 2) + " mm (" +
-                        fixed(100 * error, 2) +
-                        " %); measure the plate's ruler and make plate.json again with 'ostraka "
+      missing.push_back("Markers " + std::to_string(m.length.first) + " and " +
+                        std::to_string(m.length.second) + ": you measured " +
+                        fixed(m.length.mm, 2) + " mm, plate.json says " + fixed(m.found_mm, 2) +
+                        " mm (" + fixed(100 * error, 2) +
+                        " %); measure the plate's ruler and regenerate plate.json with 'ostraka "
                         "plate --ruler-measured'.");
   }
 }
@@ -74,9 +75,10 @@ void judge(CalibrationReport& report) {
     if (c.plate_residual_px <= kMostResidual_px) continue;
     report.verdict = Verdict::NotUsable;
     report.verdict_in_words = "Not usable: " + cameraName(c.camera) +
-                              " misses the plate's markers by " + fixed(c.plate_residual_px, 2) +
-                              " px in the median; was it touched between the photographs, or is "
-                              "plate.json of another plate?";
+                              " misses the plate's markers by a median of " +
+                              fixed(c.plate_residual_px, 2) +
+                              " px; check that it did not move between the photographs and that "
+                              "plate.json belongs to this plate.";
     return;
   }
   if (!scaleIsRight(report)) {
@@ -93,14 +95,14 @@ void judge(CalibrationReport& report) {
   report.verdict =
       exact && without_lens.empty() && report.missing.empty() ? Verdict::Good : Verdict::Usable;
   if (report.verdict == Verdict::Good)
-    report.verdict_in_words = "Good: lenses, places and scale are determined.";
+    report.verdict_in_words = "Good: lenses, camera poses and scale are determined.";
   else if (!without_lens.empty())
-    report.verdict_in_words = "Usable for a try only: the lens of camera " +
+    report.verdict_in_words = "Usable for a trial only: the lens of camera " +
                               enumerated(without_lens) + " comes from the plate's markers alone.";
   else if (!exact)
-    report.verdict_in_words = "Usable, but a focal length is known to no better than a thousandth.";
+    report.verdict_in_words = "Usable, but a focal length is uncertain by more than a thousandth.";
   else
-    report.verdict_in_words = "Usable; what is named below would make it better.";
+    report.verdict_in_words = "Usable; the steps below improve it.";
 }
 
 std::string onlyPictures(int count) {
@@ -117,7 +119,7 @@ std::string lensWords(const CameraCalibration& c) {
             fixed(c.worst_picture_rms_px, 2) + " px, tilted up to " +
             fixed(c.largest_tilt_rad * 180 / M_PI, 0) + " degrees";
   if (c.plate_residual_px > 0)
-    text += ", the plate's markers to " + fixed(c.plate_residual_px, 3) + " px in the median";
+    text += ", median error at the plate's markers " + fixed(c.plate_residual_px, 3) + " px";
   return text + ".";
 }
 
@@ -135,13 +137,13 @@ void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& mi
   const std::string name = cameraName(camera.camera);
   if (camera.pictures == 0) {
     missing.push_back(name +
-                      ": take 12 pictures of the board, near and far, into all corners of the "
+                      ": take 12 pictures of the board, near and far, in all corners of the "
                       "picture, tilted by 20 to 45 degrees in different directions.");
     return;
   }
   if (camera.pictures < kFewPictures)
     missing.push_back(name + ": " + onlyPictures(camera.pictures) +
-                      " the board; take at least 8, better 12.");
+                      " the board; take at least 8, preferably 12.");
   constexpr const char* kRegions[] = {"upper left",  "upper middle", "upper right",
                                       "left middle", "middle",       "right middle",
                                       "lower left",  "lower middle", "lower right"};
@@ -149,7 +151,7 @@ void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& mi
   for (std::size_t r = 0; r < 9; ++r)
     if (camera.corners_per_region[r] < kFewCornersInRegion) empty.emplace_back(kRegions[r]);
   if (!empty.empty())
-    missing.push_back(name + ": the board hardly reaches the " + enumerated(empty) +
+    missing.push_back(name + ": the board barely reaches the " + enumerated(empty) +
                       " of the picture; add pictures with the board there.");
   if (camera.tilted_pictures < kFewTilted)
     missing.push_back(
@@ -173,8 +175,8 @@ std::vector<std::string> inWords(const CalibrationReport& report) {
   for (const HeldOutDistance& d : report.held_out) lines.push_back("Scale: " + sentence(d) + ".");
   for (const MeasuredLength& m : report.lengths)
     lines.push_back("Scale: markers " + std::to_string(m.length.first) + " and " +
-                    std::to_string(m.length.second) + ", " + fixed(m.length.mm, 2) +
-                    " mm by hand between the middles of their outer edges, lie " +
+                    std::to_string(m.length.second) + ", measured by hand as " +
+                    fixed(m.length.mm, 2) + " mm between the midpoints of their outer edges, are " +
                     fixed(m.found_mm, 2) + " mm apart in the photographs (" +
                     fixed(100 * (m.found_mm / m.length.mm - 1), 3) + " %).");
   for (const std::string& one : report.set_aside) lines.push_back("Set aside: " + one);

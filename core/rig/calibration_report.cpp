@@ -74,12 +74,13 @@ Result<CalibrationReport> calibrateLenses(const fs::path& folder, const Calibrat
     adviseOnBoard(report.cameras.back(), report.missing);
   }
   report.verdict_in_words =
-      determined ? "The lens is known, the cameras' places are not: no rig can be saved."
+      determined ? "The lens is known but the camera poses are not, so no rig can be saved."
                  : "Not usable: the focal length is not determined.";
   if (determined)
     report.missing.push_back(
-        "Photograph the plate with its markers too: put one picture per camera and stop into "
-        "'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.");
+        "Photograph the plate with its markers too: put one picture per camera and position into "
+        "'front' (cam0_pos00.jpg and so on) next to plate.json, and the board's pictures into "
+        "'calib'.");
   return report;
 }
 
@@ -101,8 +102,8 @@ Result<std::vector<MeasuredLength>> measure(const BatchPoses& poses, const batch
     if (!a || !b)
       return Error{ErrorCode::UnusableInput,
                    "Marker " + std::to_string(a ? length.second : length.first) +
-                       " of the known length is not seen twice; name two markers of the plate that "
-                       "the photographs show.",
+                       " of the known length is visible in fewer than two photographs; choose two "
+                       "markers of the plate that the photographs show.",
                    {}};
     measured.push_back({length, outerEdges(*a, *b)});
   }
@@ -151,7 +152,7 @@ Result<void> CalibrationOptions::check() const {
   for (const MarkerLength& length : lengths)
     if (!(length.mm > 0) || length.first == length.second)
       return Error{ErrorCode::UnusableInput,
-                   "A known length needs two different markers and millimetres above zero.",
+                   "A known length needs two different markers and a value greater than 0 mm.",
                    {}};
   return {};
 }
@@ -162,7 +163,7 @@ Result<CalibrationReport> calibrateFolder(const fs::path& folder, const Calibrat
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
     return Error{ErrorCode::UnusableInput,
-                 "There is no such folder; name one with photographs of the plate or of the board.",
+                 "Folder not found; choose one with photographs of the plate or of the board.",
                  folder.string()};
   if (!fs::is_directory(folder / "front", ignored) && !fs::is_directory(folder / "back", ignored) &&
       !fs::is_directory(folder / "top_images", ignored))

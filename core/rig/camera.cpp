@@ -36,7 +36,7 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     if (d.size() > 5)
       return Error{ErrorCode::UnusableInput,
                    "More than five distortion terms for '" + image.file +
-                       "' are not understood; undistort its photographs first.",
+                       "' are not supported; undistort its photographs first.",
                    where};
     std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
@@ -114,8 +114,7 @@ Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("images") || !(*json)["images"].is_array() ||
       (*json)["images"].empty())
-    return Error{ErrorCode::UnusableInput, "The camera file holds no list 'images'.",
-                 file.string()};
+    return Error{ErrorCode::UnusableInput, "The camera file has no list 'images'.", file.string()};
   std::vector<PosedImage> images;
   for (const nlohmann::json& value : (*json)["images"]) {
     Result<PosedImage> image = imageFromJson(value, file.string());

@@ -73,7 +73,7 @@ Result<Intrinsics> fromColmap(const ColmapCamera& camera) {
     return Error{ErrorCode::UnusableInput,
                  "COLMAP's camera " + std::to_string(camera.id) + " has the model '" +
                      colmapModelName(camera.model) +
-                     "' or values that cannot be used here; use OPENCV instead.",
+                     "' or values that Ostraka does not support; use OPENCV instead.",
                  {}};
   };
   if (colmapParameterCount(camera.model) == 0 ||

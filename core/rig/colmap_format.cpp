@@ -67,7 +67,7 @@ void put(std::string& bytes, T value) {
 
 Error damaged(const std::string& where) {
   return {ErrorCode::UnusableInput,
-          "The file is damaged or not as COLMAP writes it; run COLMAP again.", where};
+          "The file is damaged or not in COLMAP's format; run COLMAP again.", where};
 }
 
 template <class T>

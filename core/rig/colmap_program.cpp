@@ -113,9 +113,8 @@ class Session {
               "--Mapper.init_min_tri_angle", "8"});
     if (!mapped && mapped.error().code == ErrorCode::Failed)
       return Error{ErrorCode::NotEnough,
-                   "COLMAP does not find how these photographs belong together; its words are in "
-                   "this file. Look whether all show the same sherds with much overlap, or "
-                   "photograph on a marker plate.",
+                   "COLMAP cannot align these photographs; its output is in this file. Check that "
+                   "all show the same sherds with large overlap, or photograph on a marker plate.",
                    mapped.error().where};
     return mapped;
   }
@@ -154,8 +153,9 @@ class Session {
   Result<void> writeMask(const batch::Shot& shot, const std::string& name) {
     const Result<cv::Mat1b> mask = batch::readLabelMask(shot.mask_file);
     if (!mask) {
-      progress_.note(NoteLevel::Warning,
-                     mask.error().sentence() + " This photograph is posed without its mask.");
+      progress_.note(
+          NoteLevel::Warning,
+          mask.error().sentence() + " The pose of this photograph is estimated without its mask.");
       return {};
     }
     std::vector<unsigned char> bytes;
@@ -225,7 +225,7 @@ double low(std::vector<double> values) {
 
 Result<void> ColmapPoseOptions::check() const {
   if (!(min_posed_share > 0 && min_posed_share <= 1))
-    return Error{ErrorCode::UnusableInput, "min_posed_share must lie between 0 and 1.", {}};
+    return Error{ErrorCode::UnusableInput, "min_posed_share must be between 0 and 1.", {}};
   return {};
 }
 
@@ -295,7 +295,7 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
       options.program.empty() ? findProgram("colmap") : std::optional(options.program);
   if (!program)
     return Error{ErrorCode::Missing,
-                 "Without plate.json poses come from COLMAP, which is not installed; install the "
+                 "Without plate.json, poses come from COLMAP, which is not installed; install the "
                  "package 'colmap' or photograph on a marker plate.",
                  {}};
   Session session(*program, fs::absolute(workspace), options, progress, stop);
@@ -323,7 +323,7 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
     return Error{ErrorCode::NotEnough,
                  "COLMAP found poses for " + std::to_string(poses.images.size()) + " of " +
                      std::to_string(shots.size()) +
-                     " photographs, too few; give masks or photograph on a marker plate.",
+                     " photographs, too few; provide masks or photograph on a marker plate.",
                  workspace.string()};
   for (const ColmapPoint& point : model->points) {
     poses.points.push_back(point.position);

@@ -11,7 +11,7 @@ namespace {
 
 Error badLine(std::size_t line, const std::string& where) {
   return {ErrorCode::UnusableInput,
-          "Line " + std::to_string(line) + " is not as COLMAP writes it; run COLMAP again.", where};
+          "Line " + std::to_string(line) + " is not in COLMAP's format; run COLMAP again.", where};
 }
 
 // Words of one line; the first failed conversion makes everything fail.

@@ -40,8 +40,8 @@ class FreePoser {
   Result<BatchPoses> run() {
     if (!batch_.plate)
       return Error{ErrorCode::NotEnough,
-                   "There is no plate.json, so the plate's markers cannot be used; copy the one "
-                   "here that 'ostraka plate' wrote with the plate.",
+                   "plate.json is missing, so the plate's markers cannot be used; copy the file "
+                   "that 'ostraka plate' wrote with the plate into this folder.",
                    batch_.folder.string()};
     Result<std::vector<ShotMarkers>> shots =
         findBatchMarkers(batch_, options_.threads, progress_, stop_);
@@ -182,11 +182,11 @@ class FreePoser {
         names += (k > 0 ? ", " : "") + batch_.shots[shots[k]].file.filename().string();
       return warn("Photographs that show too few of the sheet's markers for a pose are left out (" +
                   names + " and " + std::to_string(shots.size() - kNamedAlone) +
-                  " more); look whether they show this sheet.");
+                  " more); check that they show this sheet.");
     }
     for (const std::size_t shot : shots)
       warn(batch_.shots[shot].file.string() + ": " + std::to_string(markers_[shot].size()) +
-           " of the sheet's markers can be read in it, too few for a pose; it is left out.");
+           " of the sheet's markers can be read, too few for a pose; the photograph is left out.");
   }
 
   Result<void> enoughViews() const {
@@ -345,8 +345,8 @@ class FreePoser {
       }
       if (used < (1 - kMostDropped) * static_cast<double>(markers_[i].size())) {
         warn(shot.file.string() +
-             ": most of the sheet's markers lie elsewhere in it than the other photographs say; it "
-             "is left out.");
+             ": most of the sheet's markers are not where the other photographs place them; the "
+             "photograph is left out.");
         camera_of_[i] = -1;
         continue;
       }

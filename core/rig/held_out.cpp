@@ -95,8 +95,8 @@ std::vector<HeldOutDistance> heldOutDistances(const batch::Plate& plate,
 std::string sentence(const HeldOutDistance& d) {
   char text[160];
   std::snprintf(text, sizeof text,
-                "markers %d and %d, kept out of the fit, lie %.2f mm apart instead of %.2f "
-                "(%+.2f mm, %+.3f %%)",
+                "markers %d and %d, held out of the fit, are %.2f mm apart instead of %.2f (%+.2f "
+                "mm, %+.3f %%)",
                 d.first, d.second, d.measured_mm, d.expected_mm, d.measured_mm - d.expected_mm,
                 100 * d.error());
   return text;
@@ -105,9 +105,8 @@ std::string sentence(const HeldOutDistance& d) {
 std::optional<std::string> scaleDoubt(const HeldOutDistance& d) {
   if (std::abs(d.error()) <= kMostScaleError) return std::nullopt;
   return "The scale is not right: " + sentence(d) +
-         "; check that plate.json belongs to this plate, that it is printed and glued true, and "
-         "that a "
-         "known rig was calibrated with it.";
+         "; check that plate.json belongs to this plate, that the plate is printed and glued "
+         "without distortion, and that a known rig was calibrated with it.";
 }
 
 Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
@@ -125,7 +124,7 @@ Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
 }
 
 std::string sentence(const Move& move, int camera, int reference) {
-  return "Against camera " + batch::cameraLetter(reference) + ", camera " +
+  return "Relative to camera " + batch::cameraLetter(reference) + ", camera " +
          batch::cameraLetter(camera) + " has moved by " + fixed(move.moved_mm, 1) +
          " mm and turned by " + fixed(move.turned_rad * 180 / M_PI, 2) +
          " degrees since the rig was calibrated.";

@@ -30,7 +30,7 @@ std::vector<HeldOutDistance> heldOutDistances(const batch::Plate& plate,
                                               const RigState& state,
                                               const std::vector<PlateCorner>& corners);
 
-/// "markers 0 and 12, kept out of the fit, lie ... mm apart".
+/// "markers 0 and 12, held out of the fit, lie ... mm apart".
 std::string sentence(const HeldOutDistance& distance);
 /// The sentence when it is off by more than kMostScaleError, with what to do.
 std::optional<std::string> scaleDoubt(const HeldOutDistance& distance);

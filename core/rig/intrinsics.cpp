@@ -62,10 +62,10 @@ Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, 
         ignored, s.rms_per_view, flags | cv::CALIB_USE_INTRINSIC_GUESS | cv::CALIB_FIX_ASPECT_RATIO,
         cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 100, 1e-10));
   } catch (const cv::Exception&) {
-    return Error{ErrorCode::Failed, "No camera explains the calibration pictures.", {}};
+    return Error{ErrorCode::Failed, "No camera model fits the calibration pictures.", {}};
   }
   if (!std::isfinite(s.rms_px) || !cv::checkRange(s.matrix) || !cv::checkRange(s.distortion))
-    return Error{ErrorCode::Failed, "No camera explains the calibration pictures.", {}};
+    return Error{ErrorCode::Failed, "No camera model fits the calibration pictures.", {}};
   round(s);
   return s;
 }
@@ -132,26 +132,25 @@ void judge(IntrinsicsReport& report) {
   report.focal_determined = sd < 0.01 * focal && largestTilt(report) > kMinTiltRad;
   if (!report.focal_determined) {
     char text[256];
-    std::snprintf(
-        text, sizeof(text),
-        "The focal length is not determined: %.0f px with a standard deviation of %.0f px;"
-        " take more pictures, nearer and with the board tilted by 20 to 45 degrees in "
-        "different directions.",
-        focal, sd);
+    std::snprintf(text, sizeof(text),
+                  "The focal length is not determined: %.0f px with a standard deviation of %.0f "
+                  "px; take more pictures, closer and with the board tilted by 20 to 45 degrees in "
+                  "different directions.",
+                  focal, sd);
     report.advice.push_back(text);
   } else if (largestTilt(report) < 0.25) {
     report.advice.push_back(
-        "No picture shows the board tilted by more than 15 degrees; tilt it "
-        "more, so that focal length and distance can be told apart.");
+        "No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal "
+        "length from distance.");
   }
   if (report.rms_px > 0.3)
     report.advice.push_back("The corners scatter by " + inPixels(report.rms_px) +
-                            ", more than the 0.3 px of sharp pictures of a flat board; check focus,"
-                            " light and the board's flatness.");
+                            ", more than the 0.3 px of sharp pictures of a flat board; check "
+                            "focus, lighting and the board's flatness.");
   const double worst = report.rms_per_view_px[report.worst_view];
   if (worst > kGoodViewPx && worst > 1.5 * medianOf(std::vector(report.rms_per_view_px)))
     report.advice.push_back("The worst picture is " + report.files[report.worst_view] + " with " +
-                            inPixels(worst) + "; take it again or leave it out.");
+                            inPixels(worst) + "; retake it or leave it out.");
 }
 
 }  // namespace
@@ -164,12 +163,12 @@ Result<IntrinsicsReport> calibrateIntrinsics(std::span<const TargetView> views, 
     if (view.points.size() >= kMinCorners)
       usable.push_back(&view);
     else
-      set_aside.push_back(view.file + ": the board is not seen in it; it is set aside.");
+      set_aside.push_back(view.file + ": the board was not detected; the picture is set aside.");
   }
   if (usable.size() < kMinViews)
     return Error{ErrorCode::NotEnough,
                  "Only " + std::to_string(usable.size()) +
-                     " calibration pictures show the board, at least 3 are needed; take more "
+                     " calibration pictures show the board; at least 3 are needed. Take more "
                      "pictures of it.",
                  {}};
   const cv::Size size(width, height);

@@ -38,7 +38,7 @@ Result<cv::Ptr<cv::aruco::Dictionary>> markerDictionary(const std::string& name)
   for (const Named& named : kDictionaries)
     if (name == named.first) return cv::aruco::getPredefinedDictionary(named.second);
   return Error{ErrorCode::UnusableInput,
-               "The marker dictionary '" + name + "' is not known; use one as DICT_4X4_100.",
+               "The marker dictionary '" + name + "' is unknown; use one such as DICT_4X4_100.",
                {}};
 }
 

@@ -122,11 +122,11 @@ class Drawing {
         words("Ostraka plate, diameter %.0f mm, markers of %.0f mm", options_.diameter_mm,
               options_.marker_mm),
         options_.dictionary + ", " + std::to_string(out_.plate.markers.size()) + " markers",
-        words("Both rulers must measure %.0f mm. If they do not, make the files again with "
-              "--ruler-measured and what they measure.",
+        words("Both rulers must measure %.0f mm. If they do not, regenerate the files with "
+              "--ruler-measured and the measured length.",
               out_.ruler_mm),
-        "Turntable's axis at the small cross; sherds within the dashed circle, on dark cloth "
-        "without gloss that is cut to it."};
+        "Turntable axis at the small cross; sherds within the dashed circle, on matt dark cloth "
+        "cut to it."};
     const double size = freeRadius() > 100 ? 3.2 : 2.2, step = 1.5 * size;
     for (const bool inside : {true, false})
       for (const std::size_t letters : {62, 46, 34, 26}) {
@@ -418,9 +418,9 @@ Result<void> PlatePrintOptions::check() const {
     return Error{ErrorCode::UnusableInput, std::move(what), {}};
   };
   if (!(marker_mm >= 5 && marker_mm <= 200))
-    return bad("The markers' side must lie between 5 and 200 mm.");
+    return bad("The markers' side must be between 5 and 200 mm.");
   if (!(diameter_mm > 0 && diameter_mm <= 2000))
-    return bad("The plate's diameter must lie between 1 and 2000 mm.");
+    return bad("The plate's diameter must be between 1 and 2000 mm.");
   if (markersOnRing(diameter_mm, marker_mm) < kFewestMarkers)
     return bad(words("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; ", marker_mm,
                      diameter_mm) +
@@ -430,16 +430,16 @@ Result<void> PlatePrintOptions::check() const {
                      marker_mm, diameter_mm) +
                whatFits(diameter_mm));
   if (!(printer_margin_mm >= 0 && printer_margin_mm <= 40))
-    return bad("The printer's margin must lie between 0 and 40 mm.");
+    return bad("The printer's margin must be between 0 and 40 mm.");
   if (!(overlap_mm >= 5 && overlap_mm <= 40))
-    return bad("The sheets' overlap must lie between 5 and 40 mm.");
+    return bad("The sheets' overlap must be between 5 and 40 mm.");
   const Result<cv::Ptr<cv::aruco::Dictionary>> known = markerDictionary(dictionary);
   if (!known) return known.error();
   if (markersOnRing(diameter_mm, marker_mm) > (*known)->bytesList.rows)
     return bad("The dictionary " + dictionary + " has too few markers for this plate.");
   const double ruler = ruler_measured_mm;
   if (ruler != 0 && !(ruler > 0 && ruler < diameter_mm))
-    return bad("What the ruler measures must be a length in mm within the plate.");
+    return bad("The measured ruler length must be in mm and within the plate.");
   return {};
 }
 
@@ -472,9 +472,8 @@ Result<PlatePrint> printPlate(const PlatePrintOptions& options) {
     if (std::abs(off) > 0.1)
       return Error{
           ErrorCode::UnusableInput,
-          words("The ruler of this plate is %.0f mm long as drawn, %.1f mm differs by more "
-                "than a tenth; print the file at 100 %, without 'fit to page', and measure "
-                "again.",
+          words("The ruler of this plate is drawn %.0f mm long; %.1f mm differs by more than a "
+                "tenth. Print the file at 100 %, without 'fit to page', and measure again.",
                 print.ruler_mm, options.ruler_measured_mm),
           {}};
   }

@@ -123,13 +123,13 @@ Result<void> runProgram(const std::filesystem::path& program,
   ProcessGroup group;
   const pid_t parent = ::getpid(), child = group.id() > 0 ? ::fork() : -1;
   if (child == 0) becomeProgram(raw.data(), group.id(), parent, file.descriptor());
-  if (child < 0) return Error{ErrorCode::Failed, "No process can be started.", program.string()};
+  if (child < 0) return Error{ErrorCode::Failed, "A process cannot be started.", program.string()};
   int status = 0;
   while (true) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) break;
     if (ended < 0 && errno != EINTR)
-      return Error{ErrorCode::Failed, "The program was lost.", program.string()};
+      return Error{ErrorCode::Failed, "The program's exit status is unknown.", program.string()};
     if (stop.stop_requested()) {
       ::kill(child, SIGKILL);  // it may not have joined its group yet
       group.kill();
@@ -143,7 +143,7 @@ Result<void> runProgram(const std::filesystem::path& program,
     return Error{ErrorCode::Missing, "The program cannot be started; install it.",
                  program.string()};
   return Error{ErrorCode::Failed,
-               program.filename().string() + " ended with an error; its words are in this file.",
+               program.filename().string() + " ended with an error; its output is in this file.",
                log.string()};
 }
 

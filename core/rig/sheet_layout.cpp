@@ -327,11 +327,12 @@ batch::Plate plateOf(const SheetBundle& sheet, const std::string& dictionary) {
 }
 
 Error unread(std::size_t photographs) {
-  return {ErrorCode::NotEnough,
-          "No sheet with at least " + std::to_string(kLeastMarkers) +
-              " markers of OpenCV's dictionaries is read in these " + std::to_string(photographs) +
-              " photographs; take photographs that show more of it, or name its plate.json.",
-          {}};
+  return {
+      ErrorCode::NotEnough,
+      "No sheet with at least " + std::to_string(kLeastMarkers) +
+          " markers of OpenCV's dictionaries was found in these " + std::to_string(photographs) +
+          " photographs; take photographs that show more of the sheet, or specify its plate.json.",
+      {}};
 }
 
 }  // namespace

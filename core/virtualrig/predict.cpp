@@ -320,7 +320,7 @@ Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, P
                            std::stop_token stop) {
   if (const Result<void> good = options.check(); !good) return good.error();
   if (rig.cameras.empty())
-    return Error{ErrorCode::UnusableInput, "The rig has no camera; calibrate it again.", {}};
+    return Error{ErrorCode::UnusableInput, "The rig has no camera; recalibrate it.", {}};
   PredictOptions fitting = options;
   const int most = workingWidth(rig);
   fitting.width = options.width == 0 ? most : std::min(options.width, most);

@@ -69,7 +69,7 @@ TEST_F(KilledCommands, ANewProjectIsMadeBySayingItAgain) {
       [&](const Ended& again) {
         // One that was whole when it was killed is there.
         if (again.status == 2)
-          EXPECT_NE(again.errors.find("needs a new or an empty folder"), std::string::npos);
+          EXPECT_NE(again.errors.find("needs a new or empty folder"), std::string::npos);
         else
           expectDone(again);
         expectWhole("new", 0);

@@ -119,7 +119,7 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     return facts;
   }
   if (!live_ || (phase_ != CapturePhase::Place && phase_ != CapturePhase::Flip)) {
-    if (live_missing_) facts.push_back({true, tr("This camera shows no live picture.")});
+    if (live_missing_) facts.push_back({true, tr("This camera has no live view.")});
     remind();
     return facts;
   }

@@ -31,17 +31,18 @@ QStringList doubtsOf(const capture::ShotCheck& check) {
 QStringList doubtsOf(const capture::SideCheck& check) {
   QStringList all;
   if (!check.counted)
-    all << Doubts::tr("The sherds could not be counted: too few of the plate's markers are seen.");
-  if (check.counted && check.sherds == 0) all << Doubts::tr("No sherd is seen on the plate.");
+    all << Doubts::tr(
+        "The sherds could not be counted: too few of the plate's markers are visible.");
+  if (check.counted && check.sherds == 0) all << Doubts::tr("No sherd is visible on the plate.");
   if (!check.touching_mm.empty())
     all << Doubts::tr(
-               "Sherds touch or nearly touch at %1 from the plate's middle: move them apart and "
-               "shoot again.")
+               "Sherds touch or nearly touch at %1 from the plate's centre: move them apart and "
+               "reshoot.")
                .arg(Doubts::places(check.touching_mm));
   if (!check.doubtful_mm.empty())
     all << Doubts::tr(
-               "What lies at %1 from the plate's middle was counted as one but may be two sherds "
-               "that touch: look there; if so, move them apart and shoot again.")
+               "What lies at %1 from the plate's centre was counted as one but may be two touching "
+               "sherds: check it; if so, move them apart and reshoot.")
                .arg(Doubts::places(check.doubtful_mm));
   return all;
 }
@@ -49,22 +50,21 @@ QStringList doubtsOf(const capture::SideCheck& check) {
 QStringList doubtsBetween(const capture::SideCheck& front, const capture::SideCheck& back) {
   QStringList all;
   if (capture::sameSide(front, back))
-    all << Doubts::tr(
-        "The back looks like the front: turn the sherds over and photograph them again.");
+    all << Doubts::tr("The back looks like the front: turn the sherds over and reshoot them.");
   if (!front.counted || !back.counted)
-    return all << (front.counted
-                       ? Doubts::tr("The sherds of the back could not be counted: compare the "
-                                    "pictures yourself before you clear the plate.")
-                       : Doubts::tr("The sherds of the front could not be counted: compare the "
-                                    "pictures yourself before you clear the plate."));
+    return all << (front.counted ? Doubts::tr("The sherds of the back could not be counted: "
+                                              "compare the pictures before you clear the plate.")
+                                 : Doubts::tr("The sherds of the front could not be counted: "
+                                              "compare the pictures before you clear the plate."));
   if (front.sherds > back.sherds)
     all << Doubts::tr(
-               "The front showed %1 sherds, the back %2: look for the missing one before you clear "
-               "the plate.")
+               "The front showed %1 sherds, the back %2: find the missing one before you clear the "
+               "plate.")
                .arg(front.sherds)
                .arg(back.sherds);
   if (front.sherds < back.sherds)
-    all << Doubts::tr("The front showed %1 sherds, the back %2: was one added, or did one break?")
+    all << Doubts::tr(
+               "The front showed %1 sherds, the back %2: check whether one was added or broke.")
                .arg(front.sherds)
                .arg(back.sherds);
   return all;

@@ -239,7 +239,7 @@ QString ExportModel::sizeText() const {
     text += "\n" + tr("%n of them without a model", nullptr, size_->without_model);
   const bool before = state_ == State::Choosing || state_ == State::Failed;
   if (before && QFileInfo::exists(target_))
-    text += "\n" + tr("There is a folder of this name already; choose another name.");
+    text += "\n" + tr("A folder with this name already exists; choose another name.");
   return text;
 }
 

@@ -79,7 +79,7 @@ TEST_F(Store, IsOfAnotherPlateOnlyOnceItHasPhotographs) {
   EXPECT_TRUE(checkPlate(folder_, plate_).has_value());
   const Result<void> refused = checkPlate(folder_, other);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_THAT(refused.error().what, HasSubstr("begun on another plate"));
+  EXPECT_THAT(refused.error().what, HasSubstr("started on another plate"));
 }
 
 }  // namespace

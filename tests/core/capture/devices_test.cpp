@@ -93,8 +93,9 @@ TEST_F(Devices, NamesTheProgramInTheWay) {
   hold("99", "editor", root_ / "somewhere/else");
   const auto found = find();
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(found[0].troubles,
-              ElementsAre(HasSubstr("held by gvfsd-gphoto2 (4321): 'ostraka devices --release'")));
+  EXPECT_THAT(
+      found[0].troubles,
+      ElementsAre(HasSubstr("in use by gvfsd-gphoto2 (4321): 'ostraka devices --release'")));
   EXPECT_THAT(holdersOf(root_ / "somewhere/else", {root_ / "sys", root_ / "dev", root_ / "proc"}),
               ElementsAre("editor (99)"));
 }

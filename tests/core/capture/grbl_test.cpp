@@ -238,7 +238,7 @@ TEST(SerialChannel, IsForOneProgramOnly) {
   ASSERT_TRUE(first.has_value());
   const auto second = openSerial(terminal.path(), 115200);
   ASSERT_FALSE(second.has_value());
-  EXPECT_THAT(second.error().what, HasSubstr("another program"));
+  EXPECT_THAT(second.error().what, HasSubstr("Another program"));
   EXPECT_EQ(openSerial("/dev/no-such-port", 115200).error().code, ErrorCode::Missing);
   EXPECT_EQ(openSerial(terminal.path(), 123).error().code, ErrorCode::UnusableInput);
 }

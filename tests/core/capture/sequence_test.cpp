@@ -253,7 +253,7 @@ TEST_F(Sequence, KeepsTheSettingsOfEachShotAndFlagsOthers) {
   EXPECT_EQ(manifest->find(options_.side, 0, 1)->settings.at("exposure"), "1/8");
   EXPECT_EQ(manifest->find(options_.side, 1, 1)->settings.at("exposure"), "1/60");
   EXPECT_THAT(manifest->find(options_.side, 1, 1)->problems.at(0),
-              HasSubstr("exposure is 1/60, at the first photograph it was 1/8"));
+              HasSubstr("exposure is 1/60, but the first photograph used 1/8"));
 }
 
 TEST_F(Sequence, SetsTheRigsSettingsBeforeASideAndComparesEachShotWithThem) {
@@ -271,7 +271,7 @@ TEST_F(Sequence, SetsTheRigsSettingsBeforeASideAndComparesEachShotWithThem) {
   EXPECT_EQ(manifest->find(options_.side, 0, 1)->settings.at("exposure"), "1/15");
   for (const int stop : {1, 2})
     EXPECT_THAT(manifest->find(options_.side, stop, 1)->problems.at(0),
-                HasSubstr("exposure is 1/60, the rig says 1/15"));
+                HasSubstr("exposure is 1/60, but the rig specifies 1/15"));
 }
 
 TEST_F(Sequence, DoesNotBeginWithACameraThatKeepsAnotherSettingThanTheRigs) {
@@ -311,7 +311,7 @@ TEST_F(Sequence, KeepsNoPhotographThatDoesNotShowItsStop) {
   rig_.truth->scene.width = 480;  // edges of 5 pixels hide the markers' bits
   const auto done = shoot();
   ASSERT_FALSE(done.has_value());
-  EXPECT_THAT(done.error().what, HasSubstr("Camera B, stop 2 failed 3 times"));
+  EXPECT_THAT(done.error().what, HasSubstr("Camera B, position 2 failed 3 times"));
   EXPECT_EQ(note(1, 1), "no file");
 }
 
@@ -320,7 +320,8 @@ TEST_F(Sequence, FailsInWordsWhenACameraStaysBad) {
   rig_.cameras[1]->faults[0] = FlatCamera::Fault::None;
   const auto done = shoot();
   ASSERT_FALSE(done.has_value());
-  EXPECT_THAT(done.error().what, HasSubstr("Camera B, stop 1 failed 3 times: the file is cut off"));
+  EXPECT_THAT(done.error().what,
+              HasSubstr("Camera B, position 1 failed 3 times: the file is truncated"));
 }
 
 TEST_F(Sequence, ComesThroughAnUnpluggedTable) {
@@ -423,7 +424,7 @@ TEST_F(Sequence, NamesTheShotThatCannotBeTakenAgain) {
   const auto refused = shoot();
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(refused.error().what, HasSubstr("no shot 99B"));
-  EXPECT_THAT(refused.error().what, HasSubstr("stops 1 to 3 and cameras A to B"));
+  EXPECT_THAT(refused.error().what, HasSubstr("positions 1 to 3 and cameras A to B"));
 }
 
 TEST_F(Sequence, NeverTouchesAPhotographThatItDidNotTake) {
@@ -470,7 +471,7 @@ TEST_F(Sequence, FlagsWhatAnotherPhotographWouldNotMend) {
   ASSERT_TRUE(done.has_value()) << done.error().what;
   EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
   EXPECT_FALSE(done->flagged.empty());
-  EXPECT_THAT(done->check.sentences.back(), HasSubstr("are kept though"));
+  EXPECT_THAT(done->check.sentences.back(), HasSubstr("have problems but are kept"));
 }
 
 TEST(CompareSides, FindsALostSherdAndSherdsThatWereNotTurned) {
@@ -482,7 +483,7 @@ TEST(CompareSides, FindsALostSherdAndSherdsThatWereNotTurned) {
   EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("looks like the front"));
   back.places = {{2, 0, 500}, {50, 4, 600}};
   back.sherds = 2;
-  EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("look for the missing one"));
+  EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("find the missing one"));
   back.places.push_back({0, 56, 700});
   back.sherds = 3;
   EXPECT_TRUE(compareSides(front, back).empty());

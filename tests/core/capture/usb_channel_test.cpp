@@ -348,7 +348,7 @@ TEST_F(UsbChannel, SaysWhyADeviceCannotBeUsed) {
   usb_.plugIn();
   EXPECT_THAT(openUsb("1209:0001:S8", 115200).error().what, HasSubstr("serial number"));
   usb_.held_by_another = true;
-  EXPECT_THAT(openUsb("1209:0001", 115200).error().what, HasSubstr("another program"));
+  EXPECT_THAT(openUsb("1209:0001", 115200).error().what, HasSubstr("Another program"));
 }
 
 }  // namespace

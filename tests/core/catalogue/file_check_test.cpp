@@ -66,13 +66,13 @@ TEST_F(FileCheck, FindsOneBitFlippedInEachKindOfFile) {
       << "a bit changes no size";
   EXPECT_THAT(sentences(check()),
               testing::ElementsAre(
-                  "batches/B0001/front/cam0_pos00.jpg (batch B0001) was changed since it was "
+                  "batches/B0001/front/cam0_pos00.jpg (batch B0001) has changed since it was "
                   "entered.",
-                  "models/B0001/aa/model.ply (sherd ARM1-T3-0012-0001, batch B0001) was changed "
+                  "models/B0001/aa/model.ply (sherd ARM1-T3-0012-0001, batch B0001) has changed "
                   "since it was entered.",
-                  "models/B0001/aa/preview.png (sherd ARM1-T3-0012-0001, batch B0001) was changed "
+                  "models/B0001/aa/preview.png (sherd ARM1-T3-0012-0001, batch B0001) has changed "
                   "since it was entered.",
-                  "results/B0001/work/scans_front/f001.ply (batch B0001) was changed since it was "
+                  "results/B0001/work/scans_front/f001.ply (batch B0001) has changed since it was "
                   "entered."));
 }
 

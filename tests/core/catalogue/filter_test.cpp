@@ -201,10 +201,10 @@ TEST_F(Filters, WhatIsNotUnderstoodIsNamed) {
     const Result<Filter> filter = parseFilter(line);
     return filter ? std::string("accepted") : filter.error().sentence();
   };
-  EXPECT_NE(why("rim colour:red").find("colour:red: The filter knows no field 'colour'"),
+  EXPECT_NE(why("rim colour:red").find("colour:red: The filter has no field 'colour'"),
             std::string::npos);
   EXPECT_NE(why("ware>5").find("Only measurements"), std::string::npos);
-  EXPECT_NE(why("thickness>thick").find("'thick' is no number"), std::string::npos);
+  EXPECT_NE(why("thickness>thick").find("'thick' is not a number"), std::string::npos);
   EXPECT_NE(why("\"open").find("quotation mark"), std::string::npos);
   EXPECT_EQ(why("\"a:b\" - -- \"\" :"), "accepted");
   EXPECT_NE(why("rim' OR 1=1").find("no field '1'"), std::string::npos);

@@ -44,7 +44,8 @@ TEST(Migrations, ANewerSchemaIsRefusedWithASentence) {
   ASSERT_TRUE(migrate(*database, kTwo, {}));
   const Result<void> older = migrate(*database, std::span(kTwo).first(1), {});
   ASSERT_FALSE(older);
-  EXPECT_NE(older.error().what.find("newer Ostraka (catalogue version 2, this program knows 1)"),
+  EXPECT_NE(older.error().what.find(
+                "newer Ostraka made this project (catalogue version 2, this program supports 1)"),
             std::string::npos);
 }
 

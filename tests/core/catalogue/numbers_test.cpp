@@ -22,7 +22,7 @@ TEST_F(Numbers, AreNeverUsedAgain) {
   ASSERT_TRUE(set(a, "number", "OLD-7"));
   const Result<std::vector<FieldChange>> taken = set(b, "number", "ARM1-T3-0012-0001");
   ASSERT_FALSE(taken);
-  EXPECT_NE(taken.error().what.find("given before"), std::string::npos);
+  EXPECT_NE(taken.error().what.find("assigned before"), std::string::npos);
   EXPECT_THAT(*catalogue().assignNumbers(std::span(&b, 1), anna), ElementsAre("ARM1-T3-0012-0002"));
   ASSERT_TRUE(catalogue().voidSherd(b, "a stone", anna));
   EXPECT_THAT(*catalogue().proposeNumbers(std::vector{draft(context12)}),

@@ -51,7 +51,7 @@ TEST_F(RefusedFiles, EmptiedUnderAnOpenProjectItTakesNoGoodBackupAway) {
 TEST_F(RefusedFiles, ACatalogueWithoutAProjectIsRefused) {
   catalogue().database().script("DELETE FROM project");
   project_.reset();
-  expectRefused("it holds no project");
+  expectRefused("it contains no project");
 }
 
 TEST_F(RefusedFiles, AFileThatNobodyMadeACatalogueOfIsRefused) {
@@ -60,7 +60,7 @@ TEST_F(RefusedFiles, AFileThatNobodyMadeACatalogueOfIsRefused) {
   Database::open(file(), Database::Mode::Create)
       .value()
       ->script("PRAGMA application_id = 1330861138");
-  expectRefused("the file holds no catalogue");
+  expectRefused("the file contains no catalogue");
 }
 
 TEST_F(RefusedFiles, TheFileOfAnotherProgramIsRefused) {

@@ -162,7 +162,7 @@ TEST_F(Repairing, WithoutAWholeBackupNothingIsChanged) {
   writeBytes(file(), bytes);
   const Result<RepairReport> report = repairCatalogue(folder(), quiet_, {});
   ASSERT_FALSE(report);
-  EXPECT_NE(report.error().what.find("no backup of it is whole"), std::string::npos);
+  EXPECT_NE(report.error().what.find("none of its backups is intact"), std::string::npos);
   EXPECT_EQ(bytesOf(file()), bytes);
   for (const auto& entry : fs::directory_iterator(folder()))
     EXPECT_EQ(entry.path().string().find(".partial"), std::string::npos) << entry.path();

@@ -103,9 +103,9 @@ TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
     return done ? std::string("accepted") : done.error().what;
   };
   EXPECT_EQ(why({{{0, 0}, "A-1"}, {{50, 0}, "a-1"}}),
-            "The number a-1 stands on two sherds of this plate.");
+            "The number a-1 appears on two sherds of this plate.");
   EXPECT_EQ(why({{{0, 0}, "ARM1-T3-0012-0001"}}),
-            "The number ARM1-T3-0012-0001 belongs to another sherd already.");
+            "The number ARM1-T3-0012-0001 already belongs to another sherd.");
   ASSERT_TRUE(type({{{0, 0}, "A-1"}}));
   const TypedNumber again{{0, 0}, "A-1"};
   EXPECT_FALSE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&again, 1)))
@@ -265,7 +265,7 @@ TEST_F(TypedNumbers, AreGivenToNobodyElseBeforeTheirPlateIsComputed) {
   const auto refused = set(other, "number", "a-1");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().what,
-            "The number a-1 was typed on a sherd of B0001, which is not computed yet.");
+            "The number a-1 was entered for a sherd of B0001, which is not processed yet.");
   const TypedNumber lost{{10, 10}, "A-9"};
   const BatchRow next = newBatch({bag4});
   EXPECT_FALSE(setTypedNumbers(catalogue(), next, std::span(&lost, 1)));

@@ -66,8 +66,9 @@ TEST(Csv, WhatIsNoTableIsRefusedWithItsLine) {
     return table ? std::string("accepted") : table.error().sentence();
   };
   EXPECT_NE(why("").find("empty"), std::string::npos);
-  EXPECT_NE(why("a,b\n1,2\n\"open,3\n").find("Line 3 opens a quotation mark"), std::string::npos);
-  EXPECT_NE(why("a\n\"x\"y\n").find("Line 2 has letters behind"), std::string::npos);
+  EXPECT_NE(why("a,b\n1,2\n\"open,3\n").find("Line 3 has an unclosed quotation mark"),
+            std::string::npos);
+  EXPECT_NE(why("a\n\"x\"y\n").find("Line 2 has characters after"), std::string::npos);
   EXPECT_NE(why("a\nok\nSch\xF6n\n").find("Line 3 is not in UTF-8"), std::string::npos);
   EXPECT_NE(why(std::string("a\nb\0c\n", 6)).find("binary data"), std::string::npos);
   EXPECT_NE(why("a\n" + std::string((1 << 20) + 1, 'x')).find("Line 2 has a value longer"),

@@ -73,7 +73,7 @@ TEST_F(DrawnSherds, LeaveVoidOnesOutAndSayWhichUnlessOneAloneIsWanted) {
   ASSERT_TRUE(alone) << alone.error().sentence();
   ASSERT_EQ(alone->drawings.size(), 1u);
   EXPECT_THAT(alone->drawings.front().remarks,
-              testing::ElementsAre("This sherd is void, because: a brick"));
+              testing::ElementsAre("This sherd is void; reason: a brick"));
 }
 
 TEST_F(DrawnSherds, ThatAreVoidAreInTheExportsTableAndInNoDrawing) {

@@ -151,7 +151,7 @@ TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
       EXPECT_THAT(
           *readFile(models / (std::string(sherd) + ending)),
           testing::HasSubstr(
-              " lighter than the model as computed: 99.9 % within 0 mm, all within 0 mm\n"));
+              " simplified from the full-detail model: 99.9 % within 0 mm, all within 0 mm\n"));
     EXPECT_THAT(*readFile(models / (std::string(sherd) + ".glb")),
                 testing::HasSubstr("\"deviation_mm\":0"));
   }
@@ -344,7 +344,7 @@ TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {
     const Result<Exported> done = exportTo("out", all);
     ASSERT_FALSE(done);
     EXPECT_THAT(done.error().sentence(),
-                testing::HasSubstr("of the sherd ARM1-T3-0012-0002 is not the one"));
+                testing::HasSubstr("of the sherd ARM1-T3-0012-0002 differs from"));
     put(file, was);
   }
   EXPECT_FALSE(fs::exists(folder_.path() / "out"));
@@ -375,13 +375,13 @@ TEST_F(Export, RecordsOfStrangersAreReadWithCare) {
     const Result<ReadSherdJson> read = parseSherdJson(text, "x.json");
     return read ? std::string("accepted") : read.error().sentence();
   };
-  EXPECT_NE(why("{}").find("no record"), std::string::npos);
-  EXPECT_NE(why("[1]").find("no record"), std::string::npos);
-  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("another type"),
+  EXPECT_NE(why("{}").find("Not a sherd record"), std::string::npos);
+  EXPECT_NE(why("[1]").find("Not a sherd record"), std::string::npos);
+  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("wrong type"),
             std::string::npos);
   EXPECT_NE(why(R"({"format":"ostraka-sherd/1","measurements":)"
                 R"([{"kind":"length","value":1,"unit":"cm"}]})")
-                .find("another unit than mm"),
+                .find("a unit other than mm"),
             std::string::npos);
   const Result<ReadSherdJson> own =
       parseSherdJson(R"({"format":"ostraka-sherd/1","id":"x","mine":{"a":1}})", "x");

@@ -86,25 +86,26 @@ TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
   import(kTwo);
   const std::string head = "number,site,trench,context,part,length_mm,munsell_out,date_edtf,uuid\n";
   const auto row = [&](const std::string& line) { return why(head + line + "\n"); };
-  EXPECT_NE(row("X-1,ARM1,T3,0012,wing,,,,").find("2 part wing: 'wing' is no term"),
+  EXPECT_NE(row("X-1,ARM1,T3,0012,wing,,,,").find("2 part wing: 'wing' is not a term"),
             std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0099,,,,,").find("2 context 0099: There is no context"),
             std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,,,,,,").find("needs its context"), std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0012,,abc,,,").find("2 length_mm abc"), std::string::npos);
-  EXPECT_NE(row("X-1,ARM1,T3,0012,,0,,,").find("above 0"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,0,,,").find("greater than 0"), std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0012,,1001,,,").find("1000 mm"), std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0012,,,brown,,").find("2 munsell_out brown"), std::string::npos);
   EXPECT_NE(row("X-1,ARM1,T3,0012,,,,600 BC,").find("2 date_edtf 600 BC"), std::string::npos);
-  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,,nonsense").find("2 uuid nonsense: This is no uuid"),
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,,nonsense").find("2 uuid nonsense: Not a uuid"),
             std::string::npos);
   EXPECT_NE(row("ARM1-T3-0012-0001,,,,,,,,019f5ff6-39c0-7b3a-9c55-2f7e8d104ab6")
-                .find("another sherd than the uuid"),
+                .find("belong to different sherds"),
             std::string::npos);
   EXPECT_NE(row(",ARM1,T3,0012,,,,,").find("neither a number nor a uuid"), std::string::npos);
-  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, the header 9"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, but the header has 9"),
+            std::string::npos);
   EXPECT_NE(why(head + "Y-1,ARM1,T3,0012,,,,,\ny-1,ARM1,T3,0012,,,,,\n")
-                .find("3 number y-1: This stands in two rows"),
+                .find("3 number y-1: This appears in two rows"),
             std::string::npos);
   EXPECT_FALSE(*catalogue().sherdByNumber("X-1")) << "a refused row leaves nothing";
   EXPECT_TRUE(*catalogue().sherdByNumber("Y-1")) << "the other rows enter";
@@ -163,13 +164,11 @@ TEST_F(Import, OfContextsNamesTheSitesThatItMakesAndTheKindsThatThereAre) {
       import("site,trench,context,kind\nNOPE,T1,0010,layer\nNOPE,T1,0011,pit\nNIX,T1,0012,hole\n");
   EXPECT_EQ(report.fresh, 1);
   ASSERT_EQ(report.refusals.size(), 2u);
-  EXPECT_EQ(report.refusals[0].reason,
-            "'pit' is no kind of context; it is layer, cut, fill, structure, surface or "
-            "unstratified.");
+  EXPECT_EQ(
+      report.refusals[0].reason,
+      "'pit' is not a kind of context; use layer, cut, fill, structure, surface or unstratified.");
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_EQ(report.warnings[0],
-            "Sites and trenches that were not there: NOPE, NOPE T1; look that none is a slip of "
-            "the pen.");
+  EXPECT_EQ(report.warnings[0], "New sites and trenches: NOPE, NOPE T1; check for typos.");
 }
 
 TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
@@ -305,8 +304,8 @@ TEST_F(Joins, WithARowThatIsRefusedAreTold) {
   EXPECT_EQ(of("X-1"), "");
   EXPECT_THAT(report.warnings, testing::ElementsAre(testing::HasSubstr("left out: X-1 – X-2;")));
   EXPECT_EQ(report.refused, 3);
-  EXPECT_THAT(report.refusals[1].reason, testing::HasSubstr("no sherd X-5 that it could join"));
-  EXPECT_THAT(report.refusals[2].reason, testing::HasSubstr("does not join itself"));
+  EXPECT_THAT(report.refusals[1].reason, testing::HasSubstr("no sherd X-5 to join"));
+  EXPECT_THAT(report.refusals[2].reason, testing::HasSubstr("cannot join itself"));
 }
 
 TEST_F(Import, RefusesANumberThatIsReadInTwoWaysWhereACommaSeparates) {

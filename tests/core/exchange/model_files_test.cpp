@@ -73,13 +73,13 @@ TEST(ModelFiles, ALighterModelSaysHowFarItIsOff) {
     ASSERT_TRUE(file);
     EXPECT_NE(
         file->find(
-            " lighter than the model as computed: 99.9 % within 0.047 mm, all within 0.2 mm\n"),
+            " simplified from the full-detail model: 99.9 % within 0.047 mm, all within 0.2 mm\n"),
         std::string::npos);
   }
   const auto glb = labelledGlb(*formatGlb(tetrahedron(), {}), label, "m");
   ASSERT_TRUE(glb);
   EXPECT_NE(glb->find("\"deviation_mm\":0.047,\"farthest_mm\":0.2"), std::string::npos);
-  EXPECT_EQ(labelledPly(ply, kLabel, "m")->find("lighter than"), std::string::npos);
+  EXPECT_EQ(labelledPly(ply, kLabel, "m")->find("simplified from"), std::string::npos);
 }
 
 TEST(ModelFiles, StrangeGlbFilesAreRefused) {
@@ -104,13 +104,13 @@ TEST(ModelFiles, ADoubtfulScaleStandsInEachKindOfFileAndGoesWhenItIsSettled) {
   const std::string plain = formatPly(tetrahedron(), "plate_front");
   const Result<std::string> ply = labelledPly(plain, doubtful, "m");
   ASSERT_TRUE(ply);
-  EXPECT_NE(ply->find("\ncomment measures in doubt: 50 mm measure 49.5 mm.\n"
-                      "comment measures in doubt: 80 mm measure 79.2 mm.\n"),
+  EXPECT_NE(ply->find("\ncomment measurements in doubt: 50 mm measure 49.5 mm.\ncomment "
+                      "measurements in doubt: 80 mm measure 79.2 mm.\n"),
             std::string::npos);
   EXPECT_EQ(parsePly(*ply, "m")->mesh.vertices, tetrahedron().vertices);
   const Result<std::string> obj = labelledObj(plain, doubtful, "m");
   ASSERT_TRUE(obj);
-  EXPECT_NE(obj->find("\n# measures in doubt: 50 mm measure 49.5 mm.\n"), std::string::npos);
+  EXPECT_NE(obj->find("\n# measurements in doubt: 50 mm measure 49.5 mm.\n"), std::string::npos);
   const Result<std::string> glb = labelledGlb(*formatGlb(tetrahedron(), {}), doubtful, "m");
   ASSERT_TRUE(glb);
   EXPECT_NE(glb->find(R"("scale_doubts":"50 mm measure 49.5 mm.\n80 mm measure 79.2 mm.")"),

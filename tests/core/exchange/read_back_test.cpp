@@ -476,7 +476,7 @@ TEST_F(ReadingBack, NothingEntersWhenAFileWasChanged) {
   const Result<ImportReport> report =
       readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
   ASSERT_FALSE(report);
-  EXPECT_NE(report.error().sentence().find("changed after the export"), std::string::npos);
+  EXPECT_NE(report.error().sentence().find("changed since the export"), std::string::npos);
   EXPECT_TRUE(other.catalogue().sherdRows(Filter{}, {})->empty());
 }
 

@@ -67,7 +67,7 @@ TEST(CalibrateFolder, NamesTheWorstPictureOfARealBoard) {
   EXPECT_NEAR(report.cameras[0].focal_px, 811, 5);
   EXPECT_EQ(report.cameras[0].worst_picture, "32.jpg");
   EXPECT_FALSE(report.rig.has_value());
-  EXPECT_THAT(report.verdict_in_words, HasSubstr("the cameras' places are not"));
+  EXPECT_THAT(report.verdict_in_words, HasSubstr("the camera poses are not"));
   EXPECT_THAT(report.missing, Contains(HasSubstr("Photograph the plate")));
   EXPECT_THAT(inWords(report), Contains(HasSubstr("worst 32.jpg with 0.69")));
 }
@@ -76,7 +76,7 @@ TEST(CalibrateFolder, SaysThatPicturesOfOneDistanceDoNotDetermineALens) {
   const CalibrationReport report = calibrated(kShared / "real/charuco");
   EXPECT_EQ(report.verdict, Verdict::NotUsable);
   EXPECT_THAT(report.verdict_in_words, HasSubstr("the focal length is not determined"));
-  EXPECT_THAT(report.missing, Contains(HasSubstr("nearer and with the board tilted")));
+  EXPECT_THAT(report.missing, Contains(HasSubstr("closer and with the board tilted")));
   EXPECT_THAT(report.set_aside, testing::ElementsAre(testing::StartsWith("0.jpg")));
   EXPECT_FALSE(report.rig.has_value());
 }

@@ -59,7 +59,7 @@ TEST(CalibrationAdvice, NamesTheRegionsThatTheBoardDoesNotReach) {
   camera.corners_per_region[5] = 3;
   const auto report = judged(camera, fourStops(), {{0, 12, 290, 290}});
   EXPECT_THAT(report.missing,
-              Contains(HasSubstr("hardly reaches the upper left and right middle")));
+              Contains(HasSubstr("barely reaches the upper left and right middle")));
   EXPECT_EQ(report.verdict, Verdict::Usable);
 }
 
@@ -71,10 +71,10 @@ TEST(CalibrationAdvice, AsksForTiltsStopsAndMarkers) {
   poses.markers_per_image[2] = 3;
   const auto report = judged(camera, poses, {{0, 12, 290, 290}});
   EXPECT_THAT(report.missing, Contains(HasSubstr("only 1 picture shows the board tilted")));
-  EXPECT_THAT(report.missing, Contains(HasSubstr("Only 3 stops")));
+  EXPECT_THAT(report.missing, Contains(HasSubstr("Only 3 positions")));
   EXPECT_THAT(report.missing,
-              Contains(HasSubstr("Camera B sees fewer than six of the plate's markers at stop "
-                                 "front 3")));
+              Contains(HasSubstr(
+                  "Camera B sees fewer than six of the plate's markers at position front 3")));
 }
 
 TEST(CalibrationAdvice, HoldsARigWhoseScaleIsOff) {
@@ -101,7 +101,8 @@ TEST(CalibrationAdvice, NamesACameraThatWasTouched) {
   camera.plate_residual_px = 1.3;
   const auto report = judged(camera, fourStops(), {{0, 12, 290, 290}});
   EXPECT_EQ(report.verdict, Verdict::NotUsable);
-  EXPECT_THAT(report.verdict_in_words, HasSubstr("Camera B misses the plate's markers by 1.30 px"));
+  EXPECT_THAT(report.verdict_in_words,
+              HasSubstr("Camera B misses the plate's markers by a median of 1.30 px"));
 }
 
 TEST(HeldOut, DistancesComeFromTheRaysAlone) {

@@ -172,7 +172,7 @@ TEST_F(ColmapProgram, NamesTheLogOfAFailure) {
   ASSERT_FALSE(poses.has_value());
   EXPECT_EQ(poses.error().code, ErrorCode::NotEnough);
   EXPECT_THAT(poses.error().sentence(), HasSubstr("log.txt"));
-  EXPECT_THAT(poses.error().what, HasSubstr("belong together"));
+  EXPECT_THAT(poses.error().what, HasSubstr("cannot align these photographs"));
 }
 
 TEST_F(ColmapProgram, SaysWhatCannotBeStarted) {

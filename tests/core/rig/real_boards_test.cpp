@@ -48,7 +48,7 @@ TEST(RealCharuco, SaysThatTheFocalLengthIsNotDetermined) {
   ASSERT_TRUE(report.has_value()) << report.error().sentence();
   EXPECT_LE(report->rms_px, 0.2);
   EXPECT_FALSE(report->focal_determined);
-  EXPECT_THAT(report->advice, testing::Contains(testing::HasSubstr("nearer and with the board")));
+  EXPECT_THAT(report->advice, testing::Contains(testing::HasSubstr("closer and with the board")));
   EXPECT_THAT(report->set_aside, testing::ElementsAre(testing::StartsWith("0.jpg")));
 }
 

@@ -320,7 +320,7 @@ class DetailsTest : public CatalogueWindow {
     const QString weight = refused("field_weight_g", "abc"), bag = refused("field_bag", "neck"),
                   number = refused("field_number", "ARM1-T3-0012-0001");
     QCoreApplication::removeTranslator(&marks);
-    QCOMPARE(weight, QString("<'abc' is no number; write 12.5 or 12,5, without a unit.>"));
+    QCOMPARE(weight, QString("<'abc' is not a number; write 12.5 or 12,5, without a unit.>"));
     QVERIFY2(bag.startsWith("<There is no bag neck in context 0012 yet"), qPrintable(bag));
     QVERIFY2(number.startsWith("<The number ARM1-T3-0012-0001 belongs to another sherd.>"),
              qPrintable(number));

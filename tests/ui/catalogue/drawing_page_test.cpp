@@ -115,7 +115,7 @@ class DrawingPageTest : public QObject {
     QVERIFY(formatSvg(page_->pages().front(), {}).find("0013-0001") == std::string::npos);
     show({1});
     QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 30000);
-    QVERIFY2(words().contains("This sherd is void, because: a brick"), qPrintable(words()));
+    QVERIFY2(words().contains("This sherd is void; reason: a brick"), qPrintable(words()));
     QVERIFY(formatSvg(page_->pages().front(), {}).find("void") == std::string::npos);
   }
 

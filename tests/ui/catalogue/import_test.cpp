@@ -108,7 +108,7 @@ class ImportTest : public QObject {
     QCOMPARE(child<QComboBox>("columnField3")->currentData().toString(), QString("extra.weight"));
     QVERIFY2(child<QLabel>("importProblem")
                  ->text()
-                 .contains("The column 'weight' says the same as 'Gewicht'"),
+                 .contains("The column 'weight' means the same as 'Gewicht'"),
              qPrintable(child<QLabel>("importProblem")->text()));
     auto* rows = child<QTableWidget>("importRows");
     for (int row = 0; row < rows->rowCount(); ++row) {

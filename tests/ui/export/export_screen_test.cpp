@@ -237,7 +237,8 @@ class ExportScreenTest : public QObject {
     QCOMPARE(screen_->model().problem(), QString());
     QFile ply(sample_->folder() + "/lighter/data/models/ARM1-T3-0013-0001.ply");
     QVERIFY(ply.open(QIODevice::ReadOnly));
-    QVERIFY(ply.readAll().contains("comment lighter than the model as computed: 99.9 % within 0."));
+    QVERIFY(
+        ply.readAll().contains("comment simplified from the full-detail model: 99.9 % within 0."));
   }
 
   void stoppingLeavesNothingBehind() {

@@ -61,7 +61,7 @@ class ProjectSessionTest : public QObject {
     session_->setInitials(QString(300, 'X'));
     QVERIFY(!session_->provenance().person);
     QCOMPARE(refused.count(), 1);
-    QVERIFY(refused[0][0].toString().contains("at most 200 letters"));
+    QVERIFY(refused[0][0].toString().contains("at most 200 characters"));
   }
 
  private:

@@ -47,7 +47,7 @@ Result<ShotName> shotFromWord(const std::string& word) {
   const char letter = digits + 1 == word.size() ? word[digits] : '?';
   if (digits == 0 || letter < 'A' || letter > 'Z')
     return Error{ErrorCode::UnusableInput,
-                 "--again takes a stop and a camera, as 5B; not " + word + ".",
+                 "--again takes a position and a camera, such as 5B; not " + word + ".",
                  {}};
   return ShotName{std::stoi(word.substr(0, digits)) - 1, letter - 'A'};
 }
@@ -89,7 +89,7 @@ Result<void> startPosition(RigDevices& devices, const SideOptions& options, Sess
 }
 
 void tell(const CaptureEvent& event, Session& session) {
-  const std::string shot = "capture: stop " + std::to_string(event.stop + 1) + ", camera " +
+  const std::string shot = "capture: position " + std::to_string(event.stop + 1) + ", camera " +
                            batch::cameraLetter(event.camera);
   switch (event.kind) {
     case CaptureEventKind::PressShutter:
@@ -242,10 +242,10 @@ void addCapture(CLI::App& root, Command& chosen) {
           {"front", Sides::Front}, {"back", Sides::Back}, {"both", Sides::Both}}))
       ->required();
   command->add_option("--output,-o", arguments->output, "Folder of the batch")->required();
-  command->add_option("--stops", arguments->stops, "Stops of the plate in a turn")
+  command->add_option("--stops", arguments->stops, "Turntable positions in a turn")
       ->capture_default_str();
   command->add_option("--again", arguments->again,
-                      "Shots to take again, as 5B: camera B at the fifth stop");
+                      "Photographs to retake, such as 5B: camera B at position 5");
   auto& rig = arguments->virtual_rig;
   command->add_option("--seed", rig.seed, "Virtual rig: start of all chance")
       ->capture_default_str();

@@ -53,9 +53,9 @@ int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
   std::string sentence = error.sentence();
   if (stopped && error.what == Error::cancelled().what)
     sentence = when_stopped == WhenStopped::GoesOn
-                   ? "Stopped on request; what was whole is kept, and the same command goes on "
+                   ? "Cancelled. Complete stages are kept; run the same command to continue "
                      "from there."
-                   : "Stopped on request; the same command begins anew.";
+                   : "Cancelled. Run the same command to start again.";
   session.finishProgress();
   std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
   if (session.json)

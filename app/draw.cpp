@@ -56,7 +56,7 @@ ordered_json asJson(const SherdDrawing& drawing) {
 
 void print(const SherdDrawing& drawing) {
   if (drawing.drawn_as_rim && drawing.mouth)
-    std::printf("%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim kept.\n",
+    std::printf("%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim preserved.\n",
                 drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm,
                 drawing.rim->high_mm, 100 * drawing.rim->kept);
   for (const auto* sentences : {&drawing.remarks, &drawing.hints})

@@ -63,7 +63,7 @@ void printTable(const ProcessSummary& summary) {
   }
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);
-  printNames("To be photographed again", summary.reshoot);
+  printNames("To be reshot", summary.reshoot);
   printNames("Pushed while photographed", summary.moved);
   printNames("Set aside", summary.set_aside);
   for (const std::string& sentence : summary.left_out) std::printf("%s\n", sentence.c_str());
@@ -71,18 +71,20 @@ void printTable(const ProcessSummary& summary) {
               summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
               summary.seconds, summary.report.c_str());
   if (summary.draft)
-    std::printf("This is a draft: its measures are coarse until it is computed without --draft.\n");
+    std::printf(
+        "This is a draft: its measurements are coarse; process it without --draft for final "
+        "ones.\n");
   if (!summary.warnings.empty())
     std::printf(summary.warnings.size() == 1 ? "%zu warning; the report names it.\n"
                                              : "%zu warnings; the report names them.\n",
                 summary.warnings.size());
   if (summary.ambiguous() > 0)
     std::printf(summary.ambiguous() == 1
-                    ? "%d pair needs a person's eye; the report shows the alternatives.\n"
-                    : "%d pairs need a person's eye; the report shows the alternatives.\n",
+                    ? "%d pair needs review; the report shows the alternatives.\n"
+                    : "%d pairs need review; the report shows the alternatives.\n",
                 summary.ambiguous());
   for (const std::string& doubt : summary.scale_doubts)
-    std::printf("A person must decide before anything is measured here: %s\n", doubt.c_str());
+    std::printf("Decide this before measuring anything: %s\n", doubt.c_str());
 }
 
 int runProcess(const ProcessOptions& options, Session& session) {

@@ -50,8 +50,7 @@ void printTable(const RegisterSummary& summary) {
     std::printf("%d %s could not be used.\n", summary.unusable,
                 summary.unusable == 1 ? "file" : "files");
   if (summary.ambiguous() > 0)
-    std::printf(summary.ambiguous() == 1 ? "%d pair needs a person's eye.\n"
-                                         : "%d pairs need a person's eye.\n",
+    std::printf(summary.ambiguous() == 1 ? "%d pair needs review.\n" : "%d pairs need review.\n",
                 summary.ambiguous());
 }
 

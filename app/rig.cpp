@@ -32,9 +32,8 @@ int runSimulate(const SimulateOptions& options, Session& session) {
   session.progress.begin(options.scans_only ? "scans" : "photographs", 1.0);
   const Result<void> made = virtualrig::simulateBatch(options, session.progress, session.stop);
   if (!made && made.error().code == ErrorCode::Cancelled)
-    return fail(
-        session,
-        {ErrorCode::Cancelled, "Stopped on request; the half-made batch was taken away.", {}});
+    return fail(session,
+                {ErrorCode::Cancelled, "Cancelled. The incomplete batch was removed.", {}});
   if (!made) return fail(session, made.error());
   session.finishProgress();
   if (session.json)
@@ -117,7 +116,7 @@ void addSimulate(CLI::App& rig, Command& chosen) {
       ->excludes("--sherds");
   command->add_option("--width", options->width, "Width of a photograph in pixels")
       ->capture_default_str();
-  command->add_option("--stops", options->stops, "Stops of the plate in a turn")
+  command->add_option("--stops", options->stops, "Turntable positions in a turn")
       ->capture_default_str();
   command->add_option("--plate", options->plate, "Colour of the plate: dark, mid, light or white")
       ->transform(

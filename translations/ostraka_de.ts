@@ -7159,11 +7159,6 @@
       <translation>Das Verzeichnis der Dateien nennt eine Datei zweimal: %1</translation>
     </message>
     <message>
-      <source>This cannot be written; check the space left and the permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hierhin lässt sich nicht schreiben; den freien Platz und die Zugriffsrechte prüfen.</translation>
-    </message>
-    <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Ordner dieses Namens gibt es schon; einen anderen Namen wählen.</translation>
@@ -8224,7 +8219,7 @@
       <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einer anderen Platte?</translation>
     </message>
     <message>
-      <source>Not usable: the scale is not right.</source>
+      <source>Not usable: the scale is wrong.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht brauchbar: Der Maßstab stimmt nicht.</translation>
     </message>
@@ -8459,7 +8454,7 @@
       <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einer Platte mit Marken aufnehmen.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
+      <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu dieser Platte gehört, ob sie maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihr kalibriert wurde.</translation>
     </message>

@@ -7154,11 +7154,6 @@
       <translation>Ο κατάλογος των αρχείων (manifest) ονομάζει δύο φορές ένα αρχείο: %1</translation>
     </message>
     <message>
-      <source>This cannot be written; check the space left and the permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν γίνεται εγγραφή εδώ· ελέγξτε τον ελεύθερο χώρο και τα δικαιώματα.</translation>
-    </message>
-    <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
@@ -8219,7 +8214,7 @@
       <translation>Μη χρησιμοποιήσιμη: η κάμερα %1 χάνει τους δείκτες του δίσκου κατά %2 px (διάμεσος)· μήπως αγγίχτηκε ανάμεσα στις φωτογραφίες, ή το plate.json είναι άλλου δίσκου;</translation>
     </message>
     <message>
-      <source>Not usable: the scale is not right.</source>
+      <source>Not usable: the scale is wrong.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μη χρησιμοποιήσιμη: η κλίμακα δεν είναι σωστή.</translation>
     </message>
@@ -8454,7 +8449,7 @@
       <translation>Το COLMAP βρήκε θέση για %1 από %2 φωτογραφίες, πολύ λίγες· δώστε μάσκες ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
+      <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κλίμακα δεν είναι σωστή: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %)· ελέγξτε ότι το plate.json ανήκει σε αυτόν τον δίσκο, ότι ο δίσκος είναι σωστά τυπωμένος και κολλημένος, και ότι η γνωστή διάταξη βαθμονομήθηκε με αυτόν.</translation>
     </message>

@@ -7154,11 +7154,6 @@
       <translation>El manifiesto nombra dos veces un archivo: %1</translation>
     </message>
     <message>
-      <source>This cannot be written; check the space left and the permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir aquí; revise el espacio libre y los permisos.</translation>
-    </message>
-    <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una carpeta con este nombre; elija otro nombre.</translation>
@@ -8219,7 +8214,7 @@
       <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; ¿se tocó entre las fotos, o plate.json es de otro plato?</translation>
     </message>
     <message>
-      <source>Not usable: the scale is not right.</source>
+      <source>Not usable: the scale is wrong.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No utilizable: la escala no es correcta.</translation>
     </message>
@@ -8454,7 +8449,7 @@
       <translation>COLMAP encontró la pose de %1 de %2 fotos, muy pocas; dé máscaras o fotografíe sobre un plato con marcas.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
+      <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La escala no es correcta: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %); compruebe que plate.json es de este plato, que está impreso y pegado con exactitud, y que un equipo conocido se calibró con él.</translation>
     </message>

@@ -7154,11 +7154,6 @@
       <translation>Le manifeste nomme un fichier deux fois : %1</translation>
     </message>
     <message>
-      <source>This cannot be written; check the space left and the permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’écriture est impossible ici ; vérifiez la place restante et les droits d’accès.</translation>
-    </message>
-    <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
@@ -8219,7 +8214,7 @@
       <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; a-t-il été touché entre les photos, ou plate.json est-il d’un autre plateau ?</translation>
     </message>
     <message>
-      <source>Not usable: the scale is not right.</source>
+      <source>Not usable: the scale is wrong.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inutilisable : l’échelle n’est pas juste.</translation>
     </message>
@@ -8454,7 +8449,7 @@
       <translation>COLMAP a trouvé la pose de %1 photos sur %2, trop peu ; donnez des masques ou photographiez sur un plateau à marques.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
+      <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’échelle n’est pas juste : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %) ; vérifiez que plate.json est bien celui de ce plateau, qu’il est imprimé et collé fidèlement, et qu’un banc connu a été calibré avec lui.</translation>
     </message>

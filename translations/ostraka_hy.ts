@@ -7154,11 +7154,6 @@
       <translation>Ֆայլերի ցուցակը (manifest) ֆայլը երկու անգամ է նշում. %1</translation>
     </message>
     <message>
-      <source>This cannot be written; check the space left and the permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այստեղ հնարավոր չէ գրել. ստուգեք ազատ տեղը և թույլտվությունները։</translation>
-    </message>
-    <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
@@ -8219,7 +8214,7 @@
       <translation>Պիտանի չէ. %1 տեսախցիկը սկավառակի նշիչներից վրիպում է %2 px (մեդիան). լուսանկարների միջև դրան դիպե՞լ են, թե՞ plate.json-ն այլ սկավառակի է։</translation>
     </message>
     <message>
-      <source>Not usable: the scale is not right.</source>
+      <source>Not usable: the scale is wrong.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի չէ. մասշտաբը ճիշտ չէ։</translation>
     </message>
@@ -8454,7 +8449,7 @@
       <translation>COLMAP-ը գտել է %2 լուսանկարից %1-ի դիրքը, ինչը շատ քիչ է. տվեք դիմակներ կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
+      <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մասշտաբը ճիշտ չէ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %). ստուգեք, որ plate.json-ն այս սկավառակինն է, որ այն ճիշտ է տպված ու սոսնձված, և որ հայտնի սարքակազմը տրամաչափվել է դրանով։</translation>
     </message>

@@ -7106,11 +7106,6 @@
       <translation>Dosya listesi (manifest) bir dosyayı iki kez belirtiyor: %1</translation>
     </message>
     <message>
-      <source>This cannot be written; check the space left and the permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Buraya yazılamıyor; kalan yeri ve izinleri denetleyin.</translation>
-    </message>
-    <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
@@ -8171,7 +8166,7 @@
       <translation>Kullanılamaz: kamera %1 tablanın işaretlerini ortanca %2 px kaçırıyor; fotoğraflar arasında ona dokunuldu mu, yoksa plate.json başka bir tablanın mı?</translation>
     </message>
     <message>
-      <source>Not usable: the scale is not right.</source>
+      <source>Not usable: the scale is wrong.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılamaz: ölçek doğru değil.</translation>
     </message>
@@ -8406,7 +8401,7 @@
       <translation>COLMAP, %2 fotoğraftan %1 tanesinin duruşunu buldu, çok az; maske verin ya da işaretli bir tabla üzerinde fotoğraflayın.</translation>
     </message>
     <message>
-      <source>The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
+      <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçek doğru değil: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %); plate.json dosyasının bu tablanın olduğunu, tablanın doğru basılıp yapıştırıldığını ve bilinen düzeneğin onunla ayarlandığını denetleyin.</translation>
     </message>

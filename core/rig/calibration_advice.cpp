@@ -83,7 +83,7 @@ void judge(CalibrationReport& report) {
   }
   if (!scaleIsRight(report)) {
     report.verdict = Verdict::NotUsable;
-    report.verdict_in_words = "Not usable: the scale is not right.";
+    report.verdict_in_words = "Not usable: the scale is wrong.";
     return;
   }
   std::vector<std::string> without_lens;

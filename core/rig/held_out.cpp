@@ -104,7 +104,7 @@ std::string sentence(const HeldOutDistance& d) {
 
 std::optional<std::string> scaleDoubt(const HeldOutDistance& d) {
   if (std::abs(d.error()) <= kMostScaleError) return std::nullopt;
-  return "The scale is not right: " + sentence(d) +
+  return "The scale is wrong: " + sentence(d) +
          "; check that plate.json belongs to this plate, that the plate is printed and glued "
          "without distortion, and that a known rig was calibrated with it.";
 }

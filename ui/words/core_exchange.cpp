@@ -19,8 +19,6 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The manifest names a file outside the folder: %1"),
       QT_TRANSLATE_NOOP("ostraka::Error", "The manifest names a file twice: %1"),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "This cannot be written; check the space left and the permissions."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
                         "A folder with this name already exists; choose another name."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A name in an export must not contain '%'."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Two files of the export would have the same name."),

@@ -114,7 +114,7 @@ Sentences sentencesOfRig() {
           "ostraka::Error",
           "Not usable: Camera %1 misses the plate's markers by a median of %2 px; check that it "
           "did not move between the photographs and that plate.json belongs to this plate."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "Not usable: the scale is not right."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Not usable: the scale is wrong."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Good: lenses, camera poses and scale are determined."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
@@ -215,7 +215,7 @@ Sentences sentencesOfRig() {
                         "photograph on a marker plate."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "The scale is not right: markers %1 and %2, held out of the fit, are %3 mm apart instead "
+          "The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead "
           "of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is "
           "printed and glued without distortion, and that a known rig was calibrated with it."),
       QT_TRANSLATE_NOOP("ostraka::Error",

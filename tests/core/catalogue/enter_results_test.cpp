@@ -165,7 +165,7 @@ TEST_F(Entering, TwiceChangesNothing) {
 }
 
 TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
-  out.scale_doubts = {"The scale is not right: 50.00 mm measure 49.51 mm."};
+  out.scale_doubts = {"The scale is wrong: 50.00 mm measure 49.51 mm."};
   out.write();
   enter();
   const BatchRecord held = *catalogue().batch(batch);

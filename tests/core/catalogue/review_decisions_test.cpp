@@ -413,7 +413,7 @@ TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "", false)) << "nobody said a name";
   EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
   BatchRecord doubtful = *catalogue().batch(batch);
-  doubtful.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  doubtful.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
   ASSERT_TRUE(catalogue().saveBatch(doubtful, {}));
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
   EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);

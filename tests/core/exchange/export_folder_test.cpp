@@ -264,7 +264,7 @@ TEST_F(Export, ARecordSaysWhereItsValuesComeFrom) {
 TEST_F(Export, ADoubtfulScaleIsSaidInModelsRecordsAndTheReadMe) {
   ASSERT_TRUE(exportTo("sure", all));
   BatchRecord held = *catalogue().batch(batch);
-  held.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
   ASSERT_TRUE(catalogue().saveBatch(held, anna));
   ASSERT_TRUE(exportTo("doubtful", all));
   for (const char* name :

@@ -310,7 +310,7 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   record.operator_ = anna.person;
   record.counted = 3;
   record.scale_error_pct = 0.62;
-  record.scale_doubts = "The scale is not right: a length of 50 mm measures 49.69 mm.";
+  record.scale_doubts = "The scale is wrong: a length of 50 mm measures 49.69 mm.";
   ASSERT_TRUE(catalogue().saveBatch(record, anna));
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");

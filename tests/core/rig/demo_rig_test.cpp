@@ -172,7 +172,7 @@ TEST(DemoRig, AKnownRigTellsAPlateSaidSmallerAtAnyNumberOfStops) {
     ASSERT_EQ(poses->held_out.size(), 2U);
     for (const HeldOutDistance& distance : poses->held_out)
       EXPECT_NEAR(distance.error(), 1 / 0.99 - 1, 3e-4) << stops;  // 0.09 of 287 mm
-    EXPECT_THAT(poses->warnings, testing::Contains(testing::HasSubstr("The scale is not right")));
+    EXPECT_THAT(poses->warnings, testing::Contains(testing::HasSubstr("The scale is wrong")));
     EXPECT_THAT(poses->warnings,
                 testing::Not(testing::Contains(testing::HasSubstr("no longer fits"))));
   }

@@ -71,7 +71,7 @@ class SherdTableModelTest : public QObject {
   void aMeasureOfADoubtfulScaleCarriesAQuestionMark() {
     SampleProject sample(3);
     catalogue::BatchRecord batch;
-    batch.scale_doubts = "The scale is not right.";
+    batch.scale_doubts = "The scale is wrong.";
     const auto row = sample.catalogue().addBatch(batch, {});
     QVERIFY(row.has_value());
     catalogue::SherdRecord fresh;

@@ -124,7 +124,7 @@ class BatchQueueTest : public QObject {
             catalogue::Catalogue& rows = bench.session.project().catalogue();
             catalogue::BatchRecord record = *rows.batchByNumber(number.toStdString());
             record.state = BatchState::Review;
-            record.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+            record.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
             (void)rows.saveBatch(record, {});
             BatchFigures figures;
             figures.sherds = figures.sure = 3;

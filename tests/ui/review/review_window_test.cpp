@@ -414,7 +414,7 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QVERIFY(!bar->isVisible());
   catalogue::Catalogue& rows = session_->project().catalogue();
   catalogue::BatchRecord held = *rows.batchByNumber("B0001");
-  held.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
   QVERIFY(rows.saveBatch(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(bar->isVisible());

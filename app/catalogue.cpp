@@ -6,18 +6,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
+#include "archive/archive.h"
 #include "base/limits.h"
-#include "catalogue/enter_results.h"
-#include "catalogue/file_check.h"
 #include "catalogue/filter.h"
-#include "catalogue/project.h"
-#include "catalogue/repair.h"
 #include "command.h"
 #include "damage.h"
-#include "exchange/archive.h"
 #include "exchange/export_folder.h"
 #include "exchange/read_back.h"
+#include "files/files.h"
+#include "intake/enter_results.h"
+#include "upkeep/file_check.h"
+#include "upkeep/project.h"
+#include "upkeep/repair.h"
 
 namespace ostraka::app {
 namespace {

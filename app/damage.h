@@ -2,7 +2,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
-#include "catalogue/file_check.h"
+#include "upkeep/file_check.h"
 
 namespace ostraka::app {
 

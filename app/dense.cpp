@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/json.h"
 #include "base/text.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "command.h"
+#include "files/json.h"
 #include "mask/given_mask.h"
 #include "mask/hull_mask.h"
 #include "rig/camera.h"

@@ -1,4 +1,4 @@
-#include "capture/devices.h"
+#include "devices/devices.h"
 
 #include <CLI/CLI.hpp>
 #include <condition_variable>
@@ -7,10 +7,10 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "capture/desktop_hold.h"
-#include "capture/gphoto_camera.h"
-#include "capture/usb_watch.h"
+#include "cameras/desktop_hold.h"
+#include "cameras/gphoto_camera.h"
 #include "command.h"
+#include "devices/usb_watch.h"
 
 namespace ostraka::app {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "colmap/colmap_program.h"
 #include "command.h"
-#include "rig/colmap_program.h"
 #include "window.h"
 
 namespace ostraka::app {

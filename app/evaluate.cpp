@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/files.h"
 #include "cloud/ply.h"
 #include "command.h"
 #include "evaluate/cloud.h"
@@ -16,6 +15,7 @@
 #include "evaluate/pairs.h"
 #include "evaluate/truth.h"
 #include "evaluate_tables.h"
+#include "files/files.h"
 
 namespace ostraka::app {
 namespace {

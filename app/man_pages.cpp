@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "base/files.h"
 #include "command.h"
+#include "files/files.h"
 #include "help.h"
 
 namespace ostraka::app {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
 #include "base/text.h"
 #include "command.h"
+#include "files/files.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::app {

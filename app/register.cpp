@@ -6,9 +6,9 @@
 
 #include "base/text.h"
 #include "command.h"
-#include "pipeline/register_report.h"
-#include "pipeline/register_scans.h"
 #include "registration/within.h"
+#include "scansets/register_report.h"
+#include "scansets/register_scans.h"
 
 namespace ostraka::app {
 namespace {

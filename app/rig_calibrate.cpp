@@ -3,7 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "rig/calibration_report.h"
+#include "calibration/calibration_report.h"
 #include "rig_commands.h"
 
 namespace ostraka::app {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/scratch_folder.h"
 #include "batch/batch.h"
+#include "files/scratch_folder.h"
 #include "rig_commands.h"
 #include "virtualrig/predict.h"
 

@@ -14,6 +14,9 @@ install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/mimetypes
         RENAME application-x-ostraka-project.svg)
 install(FILES packaging/udev/70-ostraka.rules DESTINATION lib/udev/rules.d)
 install(FILES README.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES resources/docs/review-light.png resources/docs/catalogue-light.png
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources/docs)
 install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}
         PATTERN *.qrc EXCLUDE)
 

@@ -3,7 +3,7 @@ add_library(ostraka_qt STATIC ${CMAKE_SOURCE_DIR}/cmake/qt_precompiled.cpp)
 target_link_libraries(ostraka_qt PUBLIC ostraka_flags Qt6::Widgets Qt6::Svg Qt6::PrintSupport)
 target_precompile_headers(ostraka_qt PRIVATE <QtWidgets>)
 
-# ostraka_ui(name SOURCES a.cpp DEPENDS jobs LINKS ostraka_catalogue)
+# ostraka_ui(name SOURCES a.cpp DEPENDS jobs LINKS ostraka_catalogue ostraka_upkeep ostraka_intake)
 # One static library per folder of ui; DEPENDS are folders of ui, LINKS folders of core or others.
 function(ostraka_ui name)
   cmake_parse_arguments(A "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})

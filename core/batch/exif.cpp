@@ -10,9 +10,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/input_file.h"
 #include "base/limits.h"
 #include "batch/heif_image.h"
+#include "files/input_file.h"
 
 namespace ostraka::batch {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/files.h"
 #include "base/limits.h"
 #include "batch/heif_image.h"
 #include "batch/raw_image.h"
+#include "files/files.h"
 
 namespace ostraka::batch {
 namespace {

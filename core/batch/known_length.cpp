@@ -1,10 +1,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
 #include "base/limits.h"
 #include "batch/batch.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
 
 namespace ostraka::batch {
 namespace {

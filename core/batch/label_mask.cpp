@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "base/files.h"
 #include "base/limits.h"
 #include "batch/image_header.h"
+#include "files/files.h"
 
 namespace ostraka::batch {
 namespace {

@@ -4,12 +4,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "base/files.h"
 #include "base/limits.h"
 #include "base/text.h"
 #include "batch/heif_image.h"
 #include "batch/image_header.h"
 #include "batch/raw_image.h"
+#include "files/files.h"
 
 namespace ostraka::batch {
 namespace {

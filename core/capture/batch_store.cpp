@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "files/files.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::capture {

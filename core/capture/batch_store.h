@@ -7,8 +7,8 @@
 
 #include "base/result.h"
 #include "batch/batch.h"
-#include "capture/camera.h"
 #include "capture/manifest.h"
+#include "devices/camera.h"
 
 namespace ostraka::capture {
 

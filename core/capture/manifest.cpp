@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/contained_path.h"
-#include "base/json.h"
-#include "base/json_numbers.h"
 #include "base/limits.h"
+#include "files/contained_path.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
 
 namespace ostraka::capture {
 namespace {

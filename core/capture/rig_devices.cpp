@@ -2,17 +2,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
-#include "base/json_text.h"
-#include "capture/comxim.h"
-#include "capture/folder_camera.h"
-#include "capture/gphoto_camera.h"
-#include "capture/grbl.h"
-#include "capture/hand_turntable.h"
-#include "capture/journaled_turntable.h"
-#include "capture/text_turntable.h"
-#include "capture/uvc_camera.h"
+#include "cameras/folder_camera.h"
+#include "cameras/gphoto_camera.h"
+#include "cameras/uvc_camera.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
+#include "turntables/comxim.h"
+#include "turntables/grbl.h"
+#include "turntables/hand_turntable.h"
+#include "turntables/journaled_turntable.h"
+#include "turntables/text_turntable.h"
 
 namespace ostraka::capture {
 namespace {

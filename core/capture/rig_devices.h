@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -39,10 +38,6 @@ struct DevicesFile {
 
 /// Errors: UnusableInput with what is missing or wrong.
 Result<DevicesFile> readDevices(const std::filesystem::path& rig_file);
-
-/// Tells a person to do something at the rig ("Turn the table to 90 degrees.") and waits; false
-/// when they would rather stop.
-using AskPerson = std::function<bool(const std::string& sentence, std::stop_token stop)>;
 
 /// Where the table stands is written down beside RIG.json, in RIG.turntable.json.
 /// Opens all devices of RIG.json; a camera that is not plugged in stops with its serial number, and

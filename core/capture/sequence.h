@@ -11,11 +11,11 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "batch/batch.h"
-#include "capture/camera.h"
-#include "capture/clock.h"
 #include "capture/manifest.h"
 #include "capture/shot_checks.h"
-#include "capture/turntable.h"
+#include "devices/camera.h"
+#include "devices/clock.h"
+#include "devices/turntable.h"
 
 namespace ostraka::capture {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/files.h"
 #include "base/parallel.h"
+#include "files/files.h"
 
 namespace ostraka::capture {
 namespace {

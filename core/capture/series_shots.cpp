@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/files.h"
 #include "base/parallel.h"
 #include "batch/image_header.h"
 #include "capture/series.h"
+#include "files/files.h"
 
 namespace ostraka::capture {
 namespace {

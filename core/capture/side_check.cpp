@@ -4,9 +4,9 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "base/files.h"
 #include "capture/sequence.h"
 #include "capture/silhouettes.h"
+#include "files/files.h"
 
 namespace ostraka::capture {
 namespace {

@@ -3,16 +3,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json_text.h"
-#include "catalogue/database.h"
-#include "catalogue/file_header.h"
 #include "catalogue/history.h"
-#include "catalogue/migrations.h"
-#include "catalogue/names.h"
-#include "catalogue/numbering.h"
-#include "catalogue/partial_file.h"
-#include "catalogue/starting_words.h"
-#include "catalogue/values.h"
+#include "files/json_text.h"
+#include "records/numbering.h"
+#include "records/starting_words.h"
+#include "store/database.h"
+#include "store/file_header.h"
+#include "store/migrations.h"
+#include "store/names.h"
+#include "store/partial_file.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "catalogue/records.h"
-#include "catalogue/sherd.h"
+#include "records/records.h"
+#include "records/sherd.h"
 
 namespace ostraka::catalogue {
 

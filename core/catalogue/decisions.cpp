@@ -3,15 +3,15 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json.h"
-#include "base/json_text.h"
 #include "catalogue/history.h"
 #include "catalogue/kept_models.h"
-#include "catalogue/names.h"
 #include "catalogue/restore.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/typed_numbers.h"
-#include "catalogue/words.h"
+#include "files/json.h"
+#include "files/json_text.h"
+#include "records/words.h"
+#include "store/names.h"
 
 namespace ostraka::catalogue {
 namespace {

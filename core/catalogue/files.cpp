@@ -1,11 +1,11 @@
 // Files with their checksums, and the history.
 #include "catalogue/catalogue.h"
-#include "catalogue/database.h"
 #include "catalogue/history.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
-#include "catalogue/words.h"
+#include "records/words.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "catalogue/label_codes.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

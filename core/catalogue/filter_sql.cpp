@@ -1,14 +1,14 @@
 // The ids of a table's rows: filter and order happen in SQL.
-#include "base/json_text.h"
 #include "catalogue/filter.h"
+#include "files/json_text.h"
 
 #include <nlohmann/json.hpp>
 
-#include "catalogue/database.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/sherd_order.h"
-#include "catalogue/values.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/database.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 

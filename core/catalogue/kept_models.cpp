@@ -3,11 +3,11 @@
 #include <set>
 #include <system_error>
 
-#include "base/cannot_write.h"
-#include "base/files.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/database.h"
-#include "catalogue/values.h"
+#include "files/cannot_write.h"
+#include "files/files.h"
+#include "store/database.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "catalogue/database.h"
-#include "catalogue/names.h"
+#include "store/database.h"
+#include "store/names.h"
 
 namespace ostraka::catalogue {
 namespace {

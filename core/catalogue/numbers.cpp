@@ -3,10 +3,10 @@
 #include <map>
 
 #include "catalogue/history.h"
-#include "catalogue/names.h"
-#include "catalogue/numbering.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
+#include "records/numbering.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 

@@ -6,13 +6,13 @@
 #include <optional>
 #include <set>
 
-#include "catalogue/database.h"
 #include "catalogue/history.h"
 #include "catalogue/kept_models.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/typed_numbers.h"
-#include "catalogue/values.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/sherd.h"
+#include "records/sherd.h"
 
 namespace ostraka::catalogue {
 

@@ -5,11 +5,11 @@
 #include <string_view>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/database.h"
 #include "catalogue/history.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -1,9 +1,9 @@
 #include "catalogue/restore.h"
 
-#include "catalogue/database.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/words.h"
+#include "records/words.h"
+#include "store/database.h"
+#include "store/names.h"
 
 namespace ostraka::catalogue {
 namespace {

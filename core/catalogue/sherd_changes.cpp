@@ -3,12 +3,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/json_text.h"
 #include "catalogue/history.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
-#include "catalogue/words.h"
+#include "files/json_text.h"
+#include "records/words.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/database.h"
-#include "catalogue/sherd.h"
+#include "records/sherd.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 

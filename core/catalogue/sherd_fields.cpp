@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
-#include "base/json_text.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
-#include "catalogue/words.h"
+#include "files/json_text.h"
+#include "records/words.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "catalogue/database.h"
-#include "catalogue/sherd.h"
+#include "records/sherd.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 

@@ -3,10 +3,10 @@
 #include <unordered_map>
 
 #include "catalogue/history.h"
-#include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
-#include "catalogue/words.h"
+#include "records/words.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json_numbers.h"
-#include "base/json_text.h"
 #include "catalogue/label_codes.h"
-#include "catalogue/names.h"
-#include "catalogue/numbering.h"
 #include "catalogue/photographed_again.h"
 #include "catalogue/sherd_columns.h"
-#include "catalogue/values.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
+#include "records/numbering.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {

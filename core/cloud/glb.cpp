@@ -6,7 +6,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka {
 namespace {

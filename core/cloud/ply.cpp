@@ -6,8 +6,8 @@
 #include <cstring>
 #include <optional>
 
-#include "base/files.h"
 #include "base/limits.h"
+#include "files/files.h"
 
 namespace ostraka {
 namespace {

@@ -1,7 +1,7 @@
 #include <bit>
 
-#include "base/files.h"
 #include "cloud/ply.h"
+#include "files/files.h"
 
 namespace ostraka {
 namespace {

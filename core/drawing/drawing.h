@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/sheet.h"
 #include "cloud/point_cloud.h"
 #include "drawing/rim.h"
 #include "drawing/view.h"
 #include "drawing/wording.h"
 #include "model/model.h"
+#include "paper/sheet.h"
 
 /// The archaeological drawing of a sherd from its model.
 namespace ostraka::drawing {

@@ -1,6 +1,6 @@
 #include "drawing/drawing_files.h"
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka::drawing {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/sheet.h"
+#include "paper/sheet.h"
 
 namespace ostraka::drawing {
 

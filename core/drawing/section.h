@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "base/sheet.h"
 #include "cloud/point_cloud.h"
+#include "paper/sheet.h"
 
 namespace ostraka::drawing {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "base/sheet.h"
 #include "cloud/point_cloud.h"
+#include "paper/sheet.h"
 
 namespace ostraka::drawing {
 

@@ -8,8 +8,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 
-#include "base/files.h"
 #include "base/limits.h"
+#include "files/files.h"
 
 namespace ostraka::evaluate {
 namespace {

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
 #include "evaluate/pairs.h"
+#include "files/json.h"
 
 namespace ostraka::evaluate {
 namespace {

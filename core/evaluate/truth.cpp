@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/json.h"
 
 namespace ostraka::evaluate {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
 #include "catalogue/restore.h"
-#include "catalogue/words.h"
-#include "exchange/import_places.h"
 #include "exchange/json_fields.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "records/words.h"
+#include "tables/import_places.h"
 
 namespace ostraka::exchange {
 namespace {

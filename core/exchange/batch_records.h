@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "archive/bagit.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
-#include "exchange/bagit.h"
 
 namespace ostraka::exchange {
 

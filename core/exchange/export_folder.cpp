@@ -4,14 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
+#include "archive/bagit.h"
 #include "base/text.h"
-#include "catalogue/names.h"
-#include "catalogue/values.h"
-#include "catalogue/words.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
-#include "exchange/bagit.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
@@ -19,7 +15,11 @@
 #include "exchange/model_files.h"
 #include "exchange/sherd_json.h"
 #include "exchange/views_out.h"
+#include "files/files.h"
 #include "model/volume_moment.h"
+#include "records/words.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::exchange {
 namespace {

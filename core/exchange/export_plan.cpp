@@ -1,9 +1,9 @@
 #include "exchange/export_plan.h"
 
-#include "catalogue/names.h"
 #include "cloud/glb.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/model_files.h"
+#include "store/names.h"
 
 namespace ostraka::exchange {
 

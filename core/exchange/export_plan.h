@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/sheet.h"
 #include "catalogue/catalogue.h"
 #include "cloud/point_cloud.h"
 #include "exchange/export_folder.h"
 #include "exchange/model_files.h"
+#include "paper/sheet.h"
 
 namespace ostraka::exchange {
 

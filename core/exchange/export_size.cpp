@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/files.h"
 #include "cloud/ply.h"
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
 #include "exchange/metadata.h"
 #include "exchange/sherd_json.h"
 #include "exchange/views_out.h"
+#include "files/files.h"
 
 namespace ostraka::exchange {
 namespace {

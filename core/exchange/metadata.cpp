@@ -4,13 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
-#include "base/json_text.h"
-#include "catalogue/names.h"
-#include "exchange/bagit.h"
+#include "archive/bagit.h"
 #include "exchange/json_fields.h"
 #include "exchange/vocabularies.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
+#include "store/names.h"
 
 namespace ostraka::exchange {
 namespace {

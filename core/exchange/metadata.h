@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "archive/bag_reader.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
-#include "exchange/bag_reader.h"
 #include "exchange/batch_records.h"
 
 namespace ostraka::exchange {

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/json.h"
-#include "base/json_text.h"
-#include "catalogue/values.h"
 #include "cloud/obj.h"
 #include "cloud/ply.h"
+#include "files/json.h"
+#include "files/json_text.h"
+#include "store/values.h"
 
 namespace ostraka::exchange {
 namespace {

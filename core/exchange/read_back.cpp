@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <set>
 
-#include "base/checksum.h"
+#include "archive/bag_reader.h"
 #include "base/limits.h"
 #include "base/text.h"
-#include "catalogue/names.h"
 #include "catalogue/restore.h"
-#include "catalogue/values.h"
-#include "exchange/bag_reader.h"
-#include "exchange/import_places.h"
 #include "exchange/metadata.h"
 #include "exchange/sherd_json.h"
+#include "files/checksum.h"
+#include "store/names.h"
+#include "store/values.h"
+#include "tables/import_places.h"
 
 namespace ostraka::exchange {
 namespace {

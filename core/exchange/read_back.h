@@ -4,8 +4,8 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "catalogue/project.h"
-#include "exchange/import_table.h"
+#include "tables/import_table.h"
+#include "upkeep/project.h"
 
 namespace ostraka::exchange {
 

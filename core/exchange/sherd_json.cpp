@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
-#include "base/json_text.h"
 #include "base/text.h"
-#include "catalogue/values.h"
-#include "catalogue/words.h"
 #include "exchange/json_fields.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
+#include "records/words.h"
+#include "store/values.h"
 
 namespace ostraka::exchange {
 namespace {

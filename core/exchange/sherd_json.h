@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
-#include "exchange/import_table.h"
+#include "tables/import_table.h"
 
 namespace ostraka::exchange {
 

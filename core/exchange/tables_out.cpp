@@ -3,12 +3,12 @@
 #include <optional>
 #include <set>
 
-#include "base/json_text.h"
-#include "catalogue/values.h"
-#include "exchange/column_meanings.h"
-#include "exchange/csv.h"
 #include "exchange/export_folder.h"
-#include "exchange/ods.h"
+#include "files/json_text.h"
+#include "store/values.h"
+#include "tables/column_meanings.h"
+#include "tables/csv.h"
+#include "tables/ods.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -94,9 +94,9 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> r
   table.begin(columns);
   return eachSherd(catalogue, rows,
                    [&](const SherdRecord& sherd, const std::set<std::string>& by_hand) {
-                     static const std::map<std::string, std::string> kNone;
+                     static const std::map<std::string, std::string> kNoFiles;
                      const auto named = files.find(sherd.row);
-                     const auto& beside = named == files.end() ? kNone : named->second;
+                     const auto& beside = named == files.end() ? kNoFiles : named->second;
                      std::vector<std::string> values;
                      for (const SherdField& field : sherdFields())
                        values.push_back(shownValue(sherd, field));

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "batch/photograph.h"
-#include "exchange/csv.h"
+#include "decisions/mask_strokes.h"
 #include "pipeline/chain.h"
-#include "pipeline/mask_strokes.h"
-#include "pipeline/saved_views.h"
+#include "review/saved_views.h"
 #include "rig/camera.h"
 #include "stereo/outside_door.h"
+#include "tables/csv.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -117,9 +117,9 @@ Result<ViewsSize> sizeOfViews(const fs::path& project, const std::string& number
     for (const rig::PosedImage& image : *images) {
       if (image.side != side) continue;
       const fs::path photograph = batch / batch::name(side) / fs::path(image.file).filename();
-      pictures.push_back(
-          {photograph, out / "work" / pipeline::maskFolder(out, side) / pipeline::maskName(image),
-           fileBytes(photograph)});
+      pictures.push_back({photograph,
+                          out / "work" / pipeline::maskFolder(out, side) / rig::maskName(image),
+                          fileBytes(photograph)});
     }
     if (pictures.empty()) continue;
     const auto views = static_cast<double>(pictures.size());

@@ -4,8 +4,8 @@
 #include <stop_token>
 #include <string>
 
+#include "archive/bagit.h"
 #include "base/result.h"
-#include "exchange/bagit.h"
 
 namespace ostraka::exchange {
 

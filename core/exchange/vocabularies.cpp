@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "catalogue/names.h"
-#include "catalogue/values.h"
 #include "exchange/json_fields.h"
+#include "store/names.h"
+#include "store/values.h"
 
 namespace ostraka::exchange {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/median.h"
-#include "mask/plate_geometry.h"
+#include "ground/plate_geometry.h"
 
 namespace ostraka::mask {
 namespace {

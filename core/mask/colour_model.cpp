@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "mask/plate_picture.h"
+#include "ground/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "base/median.h"
 #include "base/processors.h"
-#include "mask/exponential.h"
-#include "mask/plate_picture.h"
+#include "ground/exponential.h"
+#include "ground/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {

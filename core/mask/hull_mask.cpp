@@ -6,10 +6,10 @@
 #include <string>
 
 #include "base/parallel.h"
+#include "ground/plate_picture.h"
+#include "hull/hull.h"
 #include "mask/colour_model.h"
-#include "mask/hull.h"
 #include "mask/outline.h"
-#include "mask/plate_picture.h"
 #include "rig/support_plane.h"
 
 namespace ostraka::mask {

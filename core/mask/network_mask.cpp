@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/files.h"
 #include "base/limits.h"
+#include "files/files.h"
 
 namespace ostraka::mask {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/processors.h"
-#include "mask/exponential.h"
-#include "mask/plate_geometry.h"
+#include "ground/exponential.h"
+#include "ground/plate_geometry.h"
 
 namespace ostraka::mask {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mask/plate_geometry.h"
+#include "ground/plate_geometry.h"
 
 namespace ostraka::mask {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "ground/plate_geometry.h"
+#include "ground/plate_picture.h"
 #include "mask/plane_sweep.h"
-#include "mask/plate_geometry.h"
-#include "mask/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "mask/plate_picture.h"
+#include "ground/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <opencv2/core/mat.hpp>
 
-#include "mask/hull.h"
+#include "hull/hull.h"
 
 namespace ostraka::mask {
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "base/folder_lock.h"
 #include "batch/batch.h"
+#include "decisions/decisions.h"
+#include "decisions/pair_sides.h"
+#include "decisions/scan_folder.h"
+#include "files/folder_lock.h"
 #include "model/model.h"
-#include "pipeline/decisions.h"
-#include "pipeline/pair_sides.h"
 #include "pipeline/process_batch.h"
-#include "pipeline/scan_folder.h"
 #include "pipeline/stage.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
@@ -104,8 +104,6 @@ Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side si
 /// the record says which file each came from.
 Result<Staged<std::vector<scan::Scan>>> importStage(const Run& run, batch::Side side,
                                                     const ScanFolder& folder);
-/// The mask's file in OUT/work/masks_front or masks_back: as the photograph's, cam0_pos00.png.
-std::string maskName(const rig::PosedImage& image);
 /// The folder under OUT/work that holds the scans of a side: scans_front, or pieces_front.
 std::string scanFolder(const Run& run, batch::Side side);
 /// Front size / back size where the poses have no scale, else 1 without a stage.

@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/files.h"
+#include "batch/moved_batch.h"
 #include "batch/photograph.h"
+#include "decisions/mask_strokes.h"
+#include "files/files.h"
 #include "pipeline/chain.h"
-#include "pipeline/mask_strokes.h"
-#include "pipeline/moved_batch.h"
 
 namespace ostraka::pipeline {
 namespace {

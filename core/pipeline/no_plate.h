@@ -4,9 +4,9 @@
 
 #include "base/result.h"
 #include "batch/batch.h"
+#include "checks/known_scale.h"
+#include "colmap/colmap_program.h"
 #include "rig/camera.h"
-#include "rig/colmap_program.h"
-#include "rig/known_scale.h"
 
 namespace ostraka::pipeline {
 

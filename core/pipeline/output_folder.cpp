@@ -4,10 +4,10 @@
 #include <set>
 #include <system_error>
 
-#include "base/files.h"
-#include "base/json.h"
-#include "base/json_text.h"
 #include "base/parallel.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "files/json_text.h"
 #include "pipeline/proposed_sheet.h"
 
 namespace ostraka::pipeline {

@@ -3,9 +3,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "base/folder_lock.h"
 #include "base/result.h"
 #include "batch/batch.h"
+#include "files/folder_lock.h"
 
 namespace ostraka::pipeline {
 

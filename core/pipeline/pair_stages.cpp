@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
-#include "base/json_numbers.h"
-#include "base/json_text.h"
+#include "decisions/decided_pairs.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
 #include "pipeline/chain.h"
-#include "pipeline/decided_pairs.h"
 #include "pipeline/run_log.h"
 
 namespace ostraka::pipeline {

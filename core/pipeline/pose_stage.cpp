@@ -2,19 +2,19 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "base/text.h"
+#include "calibration/calibrate.h"
+#include "calibration/free_cameras.h"
+#include "calibration/lenses.h"
+#include "checks/photo_checks.h"
+#include "checks/scale_check.h"
+#include "colmap/colmap_program.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
-#include "pipeline/photo_checks.h"
 #include "pipeline/proposed_sheet.h"
 #include "pipeline/run_log.h"
-#include "pipeline/scale_check.h"
-#include "rig/calibrate.h"
-#include "rig/colmap_program.h"
-#include "rig/free_cameras.h"
-#include "rig/lenses.h"
 #include "rig/support_plane.h"
 #include "rig/turntable.h"
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <set>
 
+#include "colmap/colmap_program.h"
 #include "pipeline/no_plate.h"
-#include "rig/colmap_program.h"
 
 namespace ostraka::pipeline {
 namespace {

@@ -6,23 +6,23 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "base/parallel.h"
 #include "batch/photographs.h"
+#include "checks/camera_settings.h"
+#include "checks/lone_scans.h"
+#include "checks/stillness.h"
 #include "cloud/ply.h"
+#include "decisions/candidate_table.h"
+#include "decisions/scan_folder.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "pairing/common_scale.h"
-#include "pipeline/camera_settings.h"
-#include "pipeline/candidate_table.h"
-#include "pipeline/lone_scans.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
 #include "pipeline/report.h"
 #include "pipeline/run_log.h"
-#include "pipeline/scan_folder.h"
-#include "pipeline/stillness.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::pipeline {

@@ -7,12 +7,12 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
-#include "base/files.h"
-#include "base/markup.h"
 #include "base/text.h"
 #include "batch/photograph.h"
+#include "files/files.h"
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
+#include "paper/markup.h"
 #include "pipeline/report.h"
 #include "registration/within.h"
 

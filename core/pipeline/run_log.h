@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/log_file.h"
 #include "base/progress.h"
+#include "files/log_file.h"
 
 namespace ostraka::pipeline {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cloud/ply.h"
+#include "decisions/piece_edits.h"
 #include "pipeline/chain.h"
-#include "pipeline/piece_edits.h"
 #include "scan/fracture.h"
 #include "scan/split.h"
 

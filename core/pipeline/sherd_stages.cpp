@@ -2,11 +2,11 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "base/text.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "model/preview.h"
 #include "pairing/common_scale.h"
 #include "pipeline/chain.h"

@@ -4,10 +4,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "base/files.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
+#include "files/files.h"
 #include "mask/given_mask.h"
 #include "mask/network_mask.h"
 #include "mask/plate_mask.h"
@@ -170,10 +170,6 @@ double coverage(const std::vector<cv::Mat1b>& masks) {
 }
 
 }  // namespace
-
-std::string maskName(const rig::PosedImage& image) {
-  return fs::path(image.file).stem().string() + ".png";
-}
 
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses) {
   const std::vector<rig::PosedImage> images = poses.value.of(side);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/cannot_write.h"
-#include "base/files.h"
-#include "base/json.h"
-#include "base/json_numbers.h"
-#include "base/json_text.h"
+#include "files/cannot_write.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
 #include "pipeline/output_folder.h"
 
 namespace ostraka::pipeline {

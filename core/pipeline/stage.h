@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/folder_lock.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "files/folder_lock.h"
 
 namespace ostraka::pipeline {
 

@@ -1,11 +1,12 @@
 #include "rig/camera.h"
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
 #include "base/limits.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
 
 namespace ostraka::rig {
 namespace {
@@ -145,6 +146,10 @@ Result<void> writeCameras(const std::filesystem::path& file,
          {"t", {t.x(), t.y(), t.z()}}});
   }
   return writeJson(file, {{"unit", "mm"}, {"images", list}});
+}
+
+std::string maskName(const PosedImage& image) {
+  return std::filesystem::path(image.file).stem().string() + ".png";
 }
 
 }  // namespace ostraka::rig

@@ -44,6 +44,9 @@ struct PosedImage {
   Eigen::Vector3d centre() const { return camera_from_plate.inverse().translation(); }
 };
 
+/// The file of a photograph's mask, named as the photograph: cam0_pos00.png.
+std::string maskName(const PosedImage& image);
+
 /// {"unit":"mm","images":[{"file","width","height","K","dist","R","t"[,"side","camera","stop"]}]},
 /// x_cam = R X + t. dist may hold 0, 4 or 5 numbers.
 Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file);

@@ -3,8 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "base/sheet.h"
 #include "batch/batch.h"
+#include "paper/sheet.h"
 
 namespace ostraka::rig {
 

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
+#include "files/json.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::rig {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/sheet.h"
 #include "batch/batch.h"
+#include "paper/sheet.h"
 
 /// Marker plate and calibration board to be printed in true scale, and the files that describe
 /// them.

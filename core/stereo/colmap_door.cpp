@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "base/cannot_write.h"
-#include "base/files.h"
 #include "base/parallel.h"
-#include "rig/colmap_program.h"
+#include "colmap/colmap_program.h"
+#include "files/cannot_write.h"
+#include "files/files.h"
 #include "stereo/outside_door.h"
 
 namespace ostraka::stereo {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "rig/colmap_program.h"
+#include "colmap/colmap_program.h"
 #include "stereo/outside_door.h"
 
 namespace ostraka::stereo {

@@ -11,11 +11,11 @@
 #include <optional>
 #include <vector>
 
-#include "base/files.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
-#include "rig/colmap_files.h"
-#include "rig/colmap_program.h"
+#include "colmap/colmap_files.h"
+#include "colmap/colmap_program.h"
+#include "files/files.h"
 #include "stereo/frame.h"
 #include "stereo/hull.h"
 

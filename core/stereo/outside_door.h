@@ -4,10 +4,10 @@
 #include <stop_token>
 #include <string>
 
-#include "base/folder_lock.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "cloud/point_cloud.h"
+#include "files/folder_lock.h"
 #include "stereo/stereo.h"
 
 namespace ostraka::stereo {

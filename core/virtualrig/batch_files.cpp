@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "rendering/numbered.h"
+#include "rendering/plate_surface.h"
 #include "rig/plate_print.h"
-#include "virtualrig/numbered.h"
-#include "virtualrig/plate_surface.h"
 
 namespace ostraka::virtualrig {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "virtualrig/rest.h"
-#include "virtualrig/scene.h"
+#include "rendering/scene.h"
+#include "vessels/rest.h"
 
 namespace ostraka::virtualrig {
 namespace {

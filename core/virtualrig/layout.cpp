@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cloud/nearest.h"
-#include "virtualrig/rest.h"
+#include "vessels/rest.h"
 
 namespace ostraka::virtualrig {
 namespace {

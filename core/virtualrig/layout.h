@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "virtualrig/sherd.h"
+#include "vessels/sherd.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::virtualrig {

@@ -6,12 +6,12 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
-#include "base/json_numbers.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
 #include "evaluate/model.h"
 #include "evaluate/truth.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
 #include "pipeline/process_batch.h"
 #include "virtualrig/simulate.h"
 

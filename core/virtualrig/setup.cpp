@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "rendering/plate_surface.h"
 #include "rig/plate_print.h"
-#include "virtualrig/given_mesh.h"
+#include "vessels/given_mesh.h"
 #include "virtualrig/layout.h"
-#include "virtualrig/plate_surface.h"
 
 namespace ostraka::virtualrig {
 namespace {

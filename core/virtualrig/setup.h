@@ -3,7 +3,7 @@
 
 #include "rig/camera.h"
 #include "rig/rig.h"
-#include "virtualrig/sherd.h"
+#include "vessels/sherd.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::virtualrig {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "base/new_folder.h"
 #include "base/parallel.h"
+#include "files/new_folder.h"
+#include "rendering/photograph.h"
 #include "virtualrig/batch_files.h"
-#include "virtualrig/photograph.h"
 #include "virtualrig/shot_report.h"
 #include "virtualrig/simulate_by_hand.h"
 #include "virtualrig/virtual_scan.h"

@@ -7,13 +7,12 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "rendering/hand_held.h"
+#include "rendering/plate_surface.h"
 #include "rig/rig.h"
-#include "virtualrig/hand_held.h"
 
 /// A rig for everybody: vessels are made, broken, laid on a plate and photographed, with the truth.
 namespace ostraka::virtualrig {
-
-enum class PlateColor { Dark, Grey, Light, White };
 
 /// What goes wrong on purpose, to train people and to test the program.
 enum class Fault {

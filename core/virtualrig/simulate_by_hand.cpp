@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "rendering/photograph.h"
+#include "rendering/sheet_backdrop.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/exif.h"
-#include "virtualrig/photograph.h"
-#include "virtualrig/sheet_backdrop.h"
 #include "virtualrig/shot_report.h"
 #include "virtualrig/walk_around.h"
 

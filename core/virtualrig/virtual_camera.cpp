@@ -5,8 +5,8 @@
 #include <mutex>
 #include <numbers>
 
+#include "rendering/photograph.h"
 #include "virtualrig/batch_files.h"
-#include "virtualrig/photograph.h"
 
 namespace ostraka::virtualrig {
 namespace {

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <numeric>
 
-#include "base/json.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
-#include "virtualrig/numbered.h"
-#include "virtualrig/scene.h"
+#include "files/json.h"
+#include "rendering/numbered.h"
+#include "rendering/scene.h"
 
 namespace ostraka::virtualrig {
 namespace {

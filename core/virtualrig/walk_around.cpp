@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "virtualrig/numbered.h"
+#include "rendering/numbered.h"
 #include "virtualrig/setup.h"
 
 namespace ostraka::virtualrig {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "batch/batch.h"
+#include "rendering/hand_held.h"
+#include "rendering/lighting.h"
+#include "rendering/sensor.h"
 #include "rig/camera.h"
-#include "virtualrig/hand_held.h"
-#include "virtualrig/lighting.h"
-#include "virtualrig/sensor.h"
 
 /// What a person, a camera and a room do differently from photograph to photograph.
 namespace ostraka::virtualrig {

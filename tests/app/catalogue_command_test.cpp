@@ -11,10 +11,10 @@
 
 #include <string>
 
-#include "base/files.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/project.h"
-#include "catalogue/sherd.h"
+#include "files/files.h"
+#include "records/sherd.h"
+#include "upkeep/project.h"
 
 namespace {
 

@@ -11,9 +11,9 @@
 
 #include "catalogue/filter.h"
 #include "catalogue/many_changes.h"
-#include "catalogue/project.h"
-#include "exchange/csv.h"
-#include "exchange/import_table.h"
+#include "tables/csv.h"
+#include "tables/import_table.h"
+#include "upkeep/project.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <vector>
 
-#include "base/files.h"
-#include "base/json.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "registration/within.h"
 
 namespace {

@@ -68,7 +68,7 @@ struct Sum {
 };
 
 // Of batches of a rig, or of photographs by hand.
-std::string maskName(const rig::PosedImage& image) {
+std::string truthMaskName(const rig::PosedImage& image) {
   const std::filesystem::path file = image.file;
   if (!file.filename().string().starts_with("cam"))
     return std::string(batch::name(image.side)) + "_" + file.stem().string() + ".png";
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
     for (const std::string& warning : result->warnings)
       std::printf("warning: %s\n", warning.c_str());
     for (std::size_t i = 0; i < images.size(); ++i) {
-      const std::string name = maskName(images[i]);
+      const std::string name = truthMaskName(images[i]);
       const cv::Mat1b labels =
           cv::imread((folder / "truth" / "masks" / name).string(), cv::IMREAD_GRAYSCALE);
       const Accuracy a = compare(result->masks[i], labels != 0);

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "model/model.h"
 #include "model/preview.h"
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/json.h"
 #include "pairing/assignment.h"
 #include "pairing/candidates.h"
 #include "scan/fracture.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/register_scans.h"
+#include "scansets/register_scans.h"
 
 int main(int argc, char** argv) {
   if (argc < 5) return std::fprintf(stderr, "register_sets SCANS OUT THREADS SET...\n"), 2;

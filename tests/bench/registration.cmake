@@ -15,8 +15,8 @@ if(OSTRAKA_PCL_INCLUDE AND OSTRAKA_PCL_REGISTRATION AND OpenMP_CXX_FOUND)
     pcl_filters pcl_search pcl_kdtree pcl_octree pcl_common flann_cpp lz4 OpenMP::OpenMP_CXX)
 endif()
 add_executable(registration_processed registration_processed.cpp)
-target_link_libraries(registration_processed PRIVATE ostraka_pipeline ostraka_registration
+target_link_libraries(registration_processed PRIVATE ostraka_pipeline ostraka_scansets ostraka_review ostraka_registration
   nlohmann_json::nlohmann_json opencv_imgcodecs)
 add_executable(joining_figures joining_figures.cpp)
-target_link_libraries(joining_figures PRIVATE ostraka_base nlohmann_json::nlohmann_json)
+target_link_libraries(joining_figures PRIVATE ostraka_base ostraka_files ostraka_paper nlohmann_json::nlohmann_json)
 target_include_directories(joining_figures PRIVATE ${CMAKE_SOURCE_DIR}/core)

@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/json.h"
 #include "registration/register_sides.h"
 #ifdef OSTRAKA_WITH_PCL
 #include "registration_rivals.h"

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
 #include "cloud/ply.h"
-#include "pipeline/candidate_table.h"
+#include "decisions/candidate_table.h"
+#include "files/json.h"
 #include "pipeline/chain.h"
 #include "registration/break_misfit.h"
 #include "registration/contact.h"
@@ -170,7 +170,7 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
     const bool of_front = camera.side == batch::Side::Front;
     const fs::path masks = out / "work" / (of_front ? "masks_front" : "masks_back");
     const cv::Mat1b mask =
-        cv::imread((masks / pipeline::maskName(camera)).string(), cv::IMREAD_GRAYSCALE);
+        cv::imread((masks / rig::maskName(camera)).string(), cv::IMREAD_GRAYSCALE);
     (of_front ? front_views : back_views).push_back({camera, mask});
   }
   const reg::Constraints constraints{front_views, back_views, true, true};

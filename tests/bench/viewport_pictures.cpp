@@ -10,7 +10,7 @@
 #include <cstdio>
 
 #include "cloud/ply.h"
-#include "pipeline/live_pairs.h"
+#include "review/live_pairs.h"
 #include "ui/frame/look.h"
 #include "ui/viewport/gl_canvas.h"
 #include "ui/viewport/sherd_view.h"

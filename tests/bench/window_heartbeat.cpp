@@ -28,12 +28,12 @@
 #include <thread>
 #include <vector>
 
-#include "catalogue/project.h"
 #include "ui/frame/look.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
+#include "upkeep/project.h"
 
 namespace {
 

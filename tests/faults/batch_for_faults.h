@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
+#include "files/json.h"
 #include "program.h"
 
 namespace ostraka::test {

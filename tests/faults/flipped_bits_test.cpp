@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "catalogue/file_check.h"
 #include "exported_project.h"
 #include "program.h"
+#include "upkeep/file_check.h"
 
 namespace ostraka::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/files.h"
+#include "files/files.h"
 #include "program.h"
 
 /// Commands that are killed at any moment. OSTRAKA_KILLS=N kills each of them N times;

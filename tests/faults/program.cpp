@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka::test {
 

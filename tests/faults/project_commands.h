@@ -1,8 +1,8 @@
 #pragma once
-#include "catalogue/backups.h"
 #include "exported_project.h"
 #include "flipped_bits.h"
 #include "program.h"
+#include "upkeep/backups.h"
 
 /// Commands of the built program on a small project with three sherds.
 namespace ostraka::test {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <set>
 
-#include "base/files.h"
+#include "files/files.h"
 #include "program.h"
 
 /// Commands on a disk that takes so many writes and no more, or that are killed at a write;

@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "decisions/decided_pairs.h"
+#include "decisions/piece_edits.h"
 #include "must.h"
-#include "pipeline/decided_pairs.h"
-#include "pipeline/piece_edits.h"
 #include "targets.h"
 
 namespace ostraka::fuzz {

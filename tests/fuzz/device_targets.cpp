@@ -1,11 +1,11 @@
 #include <cmath>
 #include <memory>
 
-#include "capture/comxim.h"
-#include "capture/grbl.h"
-#include "capture/text_turntable.h"
 #include "must.h"
 #include "targets.h"
+#include "turntables/comxim.h"
+#include "turntables/grbl.h"
+#include "turntables/text_turntable.h"
 
 namespace ostraka::fuzz {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "capture/label_code.h"
 #include "catalogue/label_codes.h"
-#include "catalogue/names.h"
 #include "exchange/model_files.h"
-#include "exchange/ods.h"
 #include "must.h"
+#include "store/names.h"
+#include "tables/ods.h"
 #include "targets.h"
 
 namespace ostraka::fuzz {

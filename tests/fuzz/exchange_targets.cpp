@@ -1,9 +1,9 @@
 
 #include "catalogue/filter.h"
-#include "catalogue/names.h"
-#include "exchange/csv.h"
 #include "exchange/sherd_json.h"
 #include "must.h"
+#include "store/names.h"
+#include "tables/csv.h"
 #include "targets.h"
 
 namespace ostraka::fuzz {

@@ -1,15 +1,15 @@
 #include <set>
 
-#include "base/files.h"
+#include "archive/archive.h"
 #include "capture/manifest.h"
-#include "catalogue/project.h"
-#include "exchange/archive.h"
+#include "decisions/candidate_table.h"
+#include "decisions/mask_strokes.h"
 #include "exchange/read_back.h"
+#include "files/files.h"
 #include "foreign_folder.h"
 #include "must.h"
-#include "pipeline/candidate_table.h"
-#include "pipeline/mask_strokes.h"
 #include "targets.h"
+#include "upkeep/project.h"
 
 namespace ostraka::fuzz {
 namespace {

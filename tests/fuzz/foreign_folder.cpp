@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "base/files.h"
-#include "catalogue/project.h"
+#include "files/files.h"
 #include "must.h"
+#include "upkeep/project.h"
 
 namespace ostraka::fuzz {
 namespace {

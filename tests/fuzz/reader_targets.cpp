@@ -3,18 +3,18 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "base/json.h"
 #include "batch/batch.h"
 #include "batch/image_header.h"
 #include "capture/rig_devices.h"
-#include "capture/text_turntable.h"
 #include "cloud/ply.h"
 #include "evaluate/pairs.h"
+#include "files/json.h"
 #include "mask/network_mask.h"
 #include "memory_file.h"
 #include "must.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
+#include "turntables/text_turntable.h"
 
 namespace ostraka::fuzz {
 void ply(std::string_view bytes) {

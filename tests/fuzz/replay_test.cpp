@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "base/files.h"
+#include "files/files.h"
 #include "targets.h"
 
 namespace {

@@ -2,9 +2,9 @@
 
 #include <system_error>
 
-#include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

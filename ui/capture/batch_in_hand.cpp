@@ -6,9 +6,9 @@
 
 #include "catalogue/label_codes.h"
 #include "catalogue/photographed_again.h"
-#include "catalogue/project.h"
 #include "catalogue/typed_numbers.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

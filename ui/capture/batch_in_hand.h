@@ -8,7 +8,7 @@
 
 #include "base/result.h"
 #include "batch/batch.h"
-#include "catalogue/records.h"
+#include "records/records.h"
 #include "ui/capture/capture_facts.h"
 #include "ui/capture/place_text.h"
 

@@ -2,14 +2,14 @@
 #include <map>
 #include <utility>
 
-#include "base/files.h"
 #include "base/limits.h"
 #include "batch/batch.h"
 #include "capture/label_code.h"
-#include "catalogue/project.h"
+#include "files/files.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

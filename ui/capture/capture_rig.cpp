@@ -2,7 +2,6 @@
 #include <QAction>
 #include <utility>
 
-#include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
@@ -11,6 +10,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "batch/batch.h"
-#include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"
@@ -31,6 +30,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "batch/batch.h"
 #include "capture/batch_store.h"
-#include "catalogue/project.h"
 #include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

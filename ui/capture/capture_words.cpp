@@ -1,7 +1,7 @@
 // What the wizard says in each phase.
-#include "catalogue/project.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

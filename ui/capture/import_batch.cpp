@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.h"
 #include "batch/batch.h"
 #include "batch/exif.h"
 #include "batch/photographs.h"
+#include "files/files.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/proposed_sheet.h"
 #include "rig/plate_print.h"

@@ -6,11 +6,11 @@
 #include <QUrl>
 #include <QWidget>
 
-#include "catalogue/project.h"
 #include "ui/capture/import_ask.h"
 #include "ui/capture/sides_view.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

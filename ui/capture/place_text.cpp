@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "catalogue/label_codes.h"
-#include "catalogue/names.h"
+#include "store/names.h"
 
 namespace ostraka::ui {
 namespace {

@@ -1,8 +1,8 @@
 #include "ui/capture/rig_renewal.h"
 
-#include "catalogue/project.h"
-#include "pipeline/moved_cameras.h"
+#include "checks/moved_cameras.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

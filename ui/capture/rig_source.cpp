@@ -6,8 +6,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "base/files.h"
-#include "capture/desktop_hold.h"
+#include "cameras/desktop_hold.h"
+#include "files/files.h"
 #include "ui/jobs/job.h"
 #include "virtualrig/virtual_camera.h"
 

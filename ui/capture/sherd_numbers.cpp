@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "catalogue/names.h"
-#include "catalogue/project.h"
+#include "store/names.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -13,13 +13,13 @@
 #include <algorithm>
 #include <set>
 
-#include "catalogue/project.h"
-#include "catalogue/sherd_moves.h"
+#include "intake/sherd_moves.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -1,9 +1,8 @@
 // What a person enters about a sherd is looked at, and saved or refused in place.
 #include <algorithm>
 
-#include "catalogue/project.h"
-#include "catalogue/sherd_moves.h"
 #include "catalogue/typed_numbers.h"
+#include "intake/sherd_moves.h"
 #include "ui/catalogue/bulk_edit.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/field_words.h"
@@ -11,6 +10,7 @@
 #include "ui/catalogue/sherd_edits.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

@@ -16,8 +16,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "catalogue/project.h"
-#include "exchange/import_table.h"
+#include "tables/import_table.h"
 #include "ui/catalogue/bulk_edit.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/field_words.h"
@@ -35,6 +34,7 @@
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

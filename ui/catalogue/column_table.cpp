@@ -4,7 +4,7 @@
 #include <QHeaderView>
 #include <algorithm>
 
-#include "exchange/column_names.h"
+#include "tables/column_names.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 

@@ -15,10 +15,9 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "catalogue/names.h"
-#include "catalogue/project.h"
-#include "catalogue/values.h"
 #include "drawing/drawing_files.h"
+#include "store/names.h"
+#include "store/values.h"
 #include "ui/catalogue/sheet_view.h"
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
@@ -26,6 +25,7 @@
 #include "ui/jobs/job.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

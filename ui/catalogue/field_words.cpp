@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catalogue/values.h"
-#include "exchange/csv.h"
+#include "store/values.h"
+#include "tables/csv.h"
 #include "ui/frame/free_tr.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/term_words.h"

@@ -2,8 +2,8 @@
 #include <QString>
 
 #include "catalogue/filter.h"
-#include "catalogue/sherd.h"
-#include "catalogue/sherd_moves.h"
+#include "intake/sherd_moves.h"
+#include "records/sherd.h"
 
 namespace ostraka::ui {
 

@@ -6,13 +6,13 @@
 #include <map>
 #include <memory>
 
-#include "base/files.h"
 #include "base/limits.h"
-#include "catalogue/project.h"
-#include "exchange/csv.h"
 #include "exchange/read_back.h"
+#include "files/files.h"
+#include "tables/csv.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

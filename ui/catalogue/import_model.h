@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "exchange/import_table.h"
+#include "tables/import_table.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {

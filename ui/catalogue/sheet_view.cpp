@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/sheet.h"
+#include "paper/sheet.h"
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {

@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 #include <set>
 
-#include "catalogue/values.h"
+#include "store/values.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/elided_button.h"
 #include "ui/frame/look.h"

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "catalogue/many_changes.h"
-#include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

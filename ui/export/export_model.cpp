@@ -10,11 +10,11 @@
 #include <QRegularExpression>
 
 #include "catalogue/filter.h"
-#include "catalogue/project.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "catalogue/records.h"
+#include "records/records.h"
 
 namespace ostraka::catalogue {
 class Catalogue;

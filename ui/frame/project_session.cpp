@@ -2,8 +2,8 @@
 
 #include <system_error>
 
-#include "catalogue/project.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "catalogue/sherd.h"
+#include "records/sherd.h"
 
 namespace ostraka::catalogue {
 class Catalogue;

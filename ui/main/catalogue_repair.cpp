@@ -4,11 +4,11 @@
 #include <QStringList>
 #include <utility>
 
-#include "base/files.h"
-#include "catalogue/repair.h"
+#include "files/files.h"
 #include "ui/jobs/job.h"
 #include "ui/main/project_lock.h"
 #include "ui/words/sentence.h"
+#include "upkeep/repair.h"
 
 namespace ostraka::ui {
 namespace {

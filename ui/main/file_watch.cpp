@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "catalogue/file_check.h"
-#include "catalogue/project.h"
 #include "ui/jobs/job.h"
+#include "upkeep/file_check.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "catalogue/project.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/lines.h"
@@ -36,6 +35,7 @@
 #include "ui/settings/settings_page.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -4,11 +4,11 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
-#include "catalogue/numbering.h"
-#include "catalogue/project.h"
+#include "records/numbering.h"
 #include "ui/capture/rig_source.h"
 #include "ui/frame/message_panel.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/plate_sherds.h"
+#include "intake/plate_sherds.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QVector>
 #include <vector>
 
-#include "pipeline/plate_map.h"
+#include "review/plate_map.h"
 
 class QPagedPaintDevice;
 class QPainter;

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "catalogue/project.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
@@ -26,6 +25,7 @@
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

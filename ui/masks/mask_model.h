@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "pipeline/mask_strokes.h"
+#include "decisions/mask_strokes.h"
 
 namespace ostraka::ui {
 

@@ -4,7 +4,7 @@
 #include <QJsonObject>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/words.h"
+#include "records/words.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/words/sentence.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "base/result.h"
-#include "catalogue/records.h"
+#include "records/records.h"
 
 namespace ostraka::catalogue {
 class Catalogue;

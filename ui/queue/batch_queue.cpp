@@ -5,10 +5,9 @@
 #include <QTime>
 #include <algorithm>
 
-#include "catalogue/computed_again.h"
-#include "catalogue/project.h"
-#include "catalogue/review_decisions.h"
-#include "pipeline/mask_strokes.h"
+#include "decisions/mask_strokes.h"
+#include "intake/computed_again.h"
+#include "intake/review_decisions.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
@@ -16,6 +15,7 @@
 #include "ui/queue/batch_failure.h"
 #include "ui/queue/batch_figures.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -6,13 +6,13 @@
 #include <functional>
 #include <system_error>
 
-#include "catalogue/computed_again.h"
-#include "catalogue/enter_results.h"
-#include "catalogue/project.h"
-#include "pipeline/more_candidates.h"
+#include "decisions/scan_folder.h"
+#include "intake/computed_again.h"
+#include "intake/enter_results.h"
 #include "pipeline/process_batch.h"
-#include "pipeline/review.h"
-#include "pipeline/scan_folder.h"
+#include "review/more_candidates.h"
+#include "review/review.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/photographed_again.h"
-#include "pipeline/moved_cameras.h"
+#include "checks/moved_cameras.h"
 
 namespace ostraka::ui {
 

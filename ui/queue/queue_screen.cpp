@@ -11,7 +11,6 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "catalogue/project.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
@@ -23,6 +22,7 @@
 #include "ui/masks/mask_page.h"
 #include "ui/queue/batch_delegate.h"
 #include "ui/queue/batch_queue.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

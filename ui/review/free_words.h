@@ -2,7 +2,7 @@
 #include <QString>
 #include <vector>
 
-#include "pipeline/decisions.h"
+#include "decisions/decisions.h"
 #include "ui/frame/free_tr.h"
 
 namespace ostraka::ui {

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "pipeline/live_pairs.h"
+#include "review/live_pairs.h"
 
 namespace ostraka::ui {
 

@@ -4,7 +4,7 @@
 #include <QLineF>
 #include <QWidget>
 
-#include "pipeline/orthophoto.h"
+#include "review/orthophoto.h"
 
 class QPainter;
 

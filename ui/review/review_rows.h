@@ -2,7 +2,7 @@
 #include <QString>
 #include <vector>
 
-#include "pipeline/review.h"
+#include "review/review.h"
 
 namespace ostraka::ui {
 

@@ -12,12 +12,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "catalogue/computed_again.h"
-#include "catalogue/enter_results.h"
-#include "catalogue/plate_sherds.h"
-#include "catalogue/project.h"
-#include "catalogue/review_decisions.h"
-#include "pipeline/mask_strokes.h"
+#include "decisions/mask_strokes.h"
+#include "intake/computed_again.h"
+#include "intake/enter_results.h"
+#include "intake/plate_sherds.h"
+#include "intake/review_decisions.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
@@ -29,6 +28,7 @@
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

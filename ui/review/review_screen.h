@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "pipeline/decisions.h"
+#include "decisions/decisions.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/review/review_work.h"

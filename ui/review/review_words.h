@@ -2,8 +2,8 @@
 #include <QString>
 #include <optional>
 
-#include "pipeline/live_pairs.h"
-#include "pipeline/review.h"
+#include "review/live_pairs.h"
+#include "review/review.h"
 #include "ui/frame/state_colours.h"
 #include "ui/review/trial.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
-#include "catalogue/review_decisions.h"
 #include "cloud/ply.h"
-#include "pipeline/more_candidates.h"
+#include "files/json.h"
+#include "intake/review_decisions.h"
+#include "review/more_candidates.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/live_pairs.h"
-#include "pipeline/review.h"
+#include "review/live_pairs.h"
+#include "review/review.h"
 #include "ui/review/review_rows.h"
 
 /// What the review computes away from the window's thread: values in, values out.

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/numbering.h"
-#include "catalogue/project.h"
+#include "records/numbering.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

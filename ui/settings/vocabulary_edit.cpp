@@ -9,12 +9,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "catalogue/project.h"
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/term_words.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {

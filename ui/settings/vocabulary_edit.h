@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "catalogue/sherd.h"
+#include "records/sherd.h"
 
 class QComboBox;
 class QLabel;

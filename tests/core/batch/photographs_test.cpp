@@ -4,8 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "base/files.h"
 #include "batch_folder.h"
+#include "files/files.h"
 
 namespace ostraka::batch {
 namespace {

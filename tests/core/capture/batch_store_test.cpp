@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "base/files.h"
+#include "files/files.h"
 #include "flat_rig.h"
 
 namespace ostraka::capture {

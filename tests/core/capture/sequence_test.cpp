@@ -5,10 +5,10 @@
 
 #include <fstream>
 
-#include "base/files.h"
-#include "capture/hand_turntable.h"
 #include "capture/manifest.h"
+#include "files/files.h"
 #include "flat_rig.h"
+#include "turntables/hand_turntable.h"
 
 namespace ostraka::capture {
 namespace {

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "capture/byte_channel.h"
-#include "capture/clock.h"
+#include "devices/byte_channel.h"
+#include "devices/clock.h"
 
 /// Controllers of turntables that misbehave on demand, and lines to them.
 namespace ostraka::capture::testing {

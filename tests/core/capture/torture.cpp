@@ -6,11 +6,11 @@
 #include <random>
 #include <set>
 
-#include "base/files.h"
-#include "capture/comxim.h"
-#include "capture/grbl.h"
+#include "files/files.h"
 #include "flat_rig.h"
 #include "simulated_controllers.h"
+#include "turntables/comxim.h"
+#include "turntables/grbl.h"
 
 namespace ostraka::capture::testing {
 namespace {

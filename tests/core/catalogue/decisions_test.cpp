@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "catalogue/database.h"
 #include "small_project.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 namespace {

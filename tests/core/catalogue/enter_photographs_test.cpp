@@ -1,8 +1,8 @@
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/files.h"
 #include "capture/manifest.h"
-#include "catalogue/enter_results.h"
+#include "files/files.h"
+#include "intake/enter_results.h"
 #include "small_project.h"
 
 namespace ostraka::catalogue {

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "catalogue/names.h"
 #include "small_project.h"
+#include "store/names.h"
 
 namespace ostraka::catalogue {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "base/progress.h"
-#include "catalogue/database.h"
-#include "catalogue/project.h"
-#include "catalogue/repair.h"
+#include "store/database.h"
+#include "upkeep/project.h"
+#include "upkeep/repair.h"
 
 namespace ostraka::catalogue {
 

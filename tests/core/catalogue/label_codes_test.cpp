@@ -1,7 +1,7 @@
 #include "catalogue/label_codes.h"
 
-#include "catalogue/names.h"
 #include "small_project.h"
+#include "store/names.h"
 
 namespace ostraka::catalogue {
 namespace {

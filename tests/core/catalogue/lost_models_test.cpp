@@ -1,13 +1,13 @@
 // Models that a sherd lost with its pair or its pieces, and that come back with them.
 #include <gmock/gmock.h>
 
-#include "base/json.h"
-#include "catalogue/database.h"
-#include "catalogue/enter_results.h"
-#include "catalogue/review_decisions.h"
-#include "pipeline/review.h"
+#include "files/json.h"
+#include "intake/enter_results.h"
+#include "intake/review_decisions.h"
 #include "result_folder.h"
+#include "review/review.h"
 #include "small_project.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 namespace {

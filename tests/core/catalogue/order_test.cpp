@@ -1,6 +1,6 @@
-#include "catalogue/database.h"
-#include "catalogue/migrations.h"
 #include "small_project.h"
+#include "store/database.h"
+#include "store/migrations.h"
 
 namespace ostraka::catalogue {
 namespace {

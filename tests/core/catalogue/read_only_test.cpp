@@ -5,8 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "catalogue/database.h"
 #include "small_project.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 namespace {

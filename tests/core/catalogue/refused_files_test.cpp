@@ -1,9 +1,9 @@
 // Files that are no catalogue of a project, and the copies that must outlive them.
 #include <fstream>
 
-#include "catalogue/database.h"
 #include "flipped_bits.h"
 #include "small_project.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 namespace {

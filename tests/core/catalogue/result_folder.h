@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "cloud/ply.h"
-#include "pipeline/candidate_table.h"
+#include "decisions/candidate_table.h"
+#include "files/files.h"
+#include "files/json.h"
 
 namespace ostraka::catalogue {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "catalogue/filter.h"
-#include "catalogue/project.h"
+#include "upkeep/project.h"
 
 namespace ostraka::catalogue {
 

@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "catalogue/enter_results.h"
 #include "catalogue/photographed_again.h"
-#include "catalogue/plate_sherds.h"
 #include "cloud/ply.h"
+#include "intake/enter_results.h"
+#include "intake/plate_sherds.h"
 #include "result_folder.h"
 #include "small_project.h"
 

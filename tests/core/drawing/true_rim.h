@@ -5,9 +5,9 @@
 #include <numbers>
 #include <optional>
 
-#include "virtualrig/noise.h"
-#include "virtualrig/sherd.h"
-#include "virtualrig/vessel.h"
+#include "vessels/noise.h"
+#include "vessels/sherd.h"
+#include "vessels/vessel.h"
 
 namespace ostraka::drawing {
 

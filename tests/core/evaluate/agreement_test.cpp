@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "base/json.h"
 #include "cloud/ply.h"
 #include "evaluate/cloud.h"
 #include "evaluate/model.h"
 #include "evaluate/pairs.h"
 #include "evaluate/surface.h"
 #include "evaluate/truth.h"
+#include "files/json.h"
 
 namespace ostraka::evaluate {
 namespace {

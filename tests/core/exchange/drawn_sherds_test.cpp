@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "archive/bagit.h"
 #include "closed_shell.h"
-#include "exchange/bagit.h"
 #include "exported_project.h"
 
 namespace ostraka::exchange {

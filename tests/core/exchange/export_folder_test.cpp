@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "exchange/bagit.h"
-#include "exchange/csv.h"
+#include "archive/bagit.h"
 #include "exchange/sherd_json.h"
 #include "exported_project.h"
+#include "tables/csv.h"
 
 namespace ostraka::exchange {
 namespace {

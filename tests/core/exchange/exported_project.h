@@ -1,9 +1,9 @@
 #pragma once
-#include "base/files.h"
-#include "catalogue/enter_results.h"
 #include "cloud/glb.h"
 #include "exchange/export_folder.h"
 #include "exchange/read_back.h"
+#include "files/files.h"
+#include "intake/enter_results.h"
 #include "result_folder.h"
 #include "small_project.h"
 

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "catalogue/database.h"
-#include "exchange/archive.h"
+#include "archive/archive.h"
 #include "exchange/read_back.h"
 #include "exported_project.h"
 #include "mended_bag.h"
+#include "store/database.h"
 
 namespace ostraka::exchange {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka::exchange {
 

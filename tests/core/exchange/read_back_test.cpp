@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 
-#include "catalogue/database.h"
-#include "catalogue/names.h"
-#include "catalogue/piece_decisions.h"
-#include "exchange/archive.h"
+#include "archive/archive.h"
 #include "exported_project.h"
+#include "intake/piece_decisions.h"
+#include "store/database.h"
+#include "store/names.h"
 
 namespace ostraka::exchange {
 namespace {

@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "base/files.h"
-#include "rig/colmap_files.h"
+#include "colmap/colmap_files.h"
+#include "files/files.h"
 #include "small_project.h"
 #include "textured_ball.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "mask/plate_picture.h"
+#include "ground/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {

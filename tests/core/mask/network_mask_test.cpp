@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka::mask {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mask/plate_geometry.h"
+#include "ground/plate_geometry.h"
 
 namespace ostraka::mask {
 namespace {

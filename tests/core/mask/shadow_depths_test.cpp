@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mask/plate_picture.h"
+#include "ground/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {

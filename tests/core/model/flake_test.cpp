@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include "base/json.h"
+#include "files/json.h"
 
 #include "cloud/nearest.h"
 #include "cloud/ply.h"

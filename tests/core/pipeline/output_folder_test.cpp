@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka::pipeline {
 namespace {

@@ -1,6 +1,6 @@
 // The whole chain on a small batch of the virtual rig: 2 sherds, 800 pixels wide.
 #include "pipeline/process_batch.h"
-#include "pipeline/review.h"
+#include "review/review.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
-#include "pipeline/candidate_table.h"
-#include "pipeline/mask_strokes.h"
+#include "decisions/candidate_table.h"
+#include "decisions/mask_strokes.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "rig/camera.h"
 #include "virtualrig/simulate.h"
 

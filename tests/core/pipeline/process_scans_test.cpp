@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "cloud/ply.h"
-#include "pipeline/candidate_table.h"
-#include "pipeline/decisions.h"
-#include "pipeline/live_pairs.h"
+#include "decisions/candidate_table.h"
+#include "decisions/decisions.h"
+#include "decisions/scan_folder.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "pipeline/process_batch.h"
-#include "pipeline/scan_folder.h"
+#include "review/live_pairs.h"
 #include "synthetic_out.h"
 
 namespace ostraka::pipeline {

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "base/files.h"
+#include "files/files.h"
 
 namespace ostraka::pipeline {
 namespace {

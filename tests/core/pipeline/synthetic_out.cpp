@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "../registration/simulated_sherd.h"
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/json.h"
 #include "rig/camera.h"
 
 namespace ostraka::pipeline {

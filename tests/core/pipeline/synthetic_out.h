@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "pipeline/candidate_table.h"
+#include "decisions/candidate_table.h"
 
 namespace ostraka::pipeline {
 

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
-#include "rig/calibration_report.h"
+#include "calibration/calibration_report.h"
 
 namespace ostraka::rig {
 namespace {

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "batch/photograph.h"
-#include "rig/calibrate.h"
-#include "rig/held_out.h"
+#include "calibration/calibrate.h"
+#include "calibration/held_out.h"
 
 // Figures against the truth of the demo batch; only tests read truth/.
 namespace ostraka::rig {

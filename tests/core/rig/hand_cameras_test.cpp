@@ -9,7 +9,7 @@
 
 #include "base/median.h"
 #include "batch/image_header.h"
-#include "rig/free_cameras.h"
+#include "calibration/free_cameras.h"
 #include "rig/turntable.h"
 
 // Photographs by hand over a printed sheet, against the truth; only tests read truth/.

@@ -6,9 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
-#include "base/files.h"
-#include "rig/colmap_program.h"
-#include "rig/intrinsics.h"
+#include "calibration/intrinsics.h"
+#include "colmap/colmap_program.h"
+#include "files/files.h"
 #include "rig/plate_markers.h"
 
 namespace ostraka::rig {

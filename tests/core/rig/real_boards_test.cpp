@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "batch/photograph.h"
-#include "rig/intrinsics.h"
+#include "calibration/intrinsics.h"
 #include "rig/plate_markers.h"
 
 namespace ostraka::rig {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
+#include "files/json.h"
 #include "simulated_rig.h"
 
 namespace ostraka::rig {

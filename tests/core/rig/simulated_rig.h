@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "batch/batch.h"
-#include "rig/bundle_adjustment.h"
+#include "calibration/bundle_adjustment.h"
 #include "rig/camera.h"
 
 namespace ostraka::rig {

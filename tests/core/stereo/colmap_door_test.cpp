@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "cloud/ply.h"
-#include "rig/colmap_program.h"
+#include "colmap/colmap_program.h"
 #include "stand_in.h"
 #include "textured_ball.h"
 

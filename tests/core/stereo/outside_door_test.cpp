@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cloud/ply.h"
-#include "rig/colmap_files.h"
-#include "rig/colmap_program.h"
+#include "colmap/colmap_files.h"
+#include "colmap/colmap_program.h"
 #include "stand_in.h"
 #include "textured_ball.h"
 

@@ -10,12 +10,12 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "base/files.h"
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "rendering/sheet.h"
 #include "rig/camera.h"
 #include "rig/plate_markers.h"
-#include "virtualrig/sheet.h"
 #include "virtualrig/simulate.h"
 #include "virtualrig/walk_around.h"
 

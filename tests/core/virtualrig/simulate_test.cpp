@@ -10,11 +10,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "base/files.h"
-#include "base/json.h"
+#include "checks/photo_checks.h"
 #include "cloud/nearest.h"
 #include "cloud/ply.h"
-#include "pipeline/photo_checks.h"
+#include "files/files.h"
+#include "files/json.h"
 #include "rig/camera.h"
 #include "rig/edge_width.h"
 #include "rig/plate_markers.h"

@@ -1,8 +1,8 @@
 #pragma once
-#include "catalogue/project.h"
 #include "fake_rig.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 /// A project, new or found in its folder, with a wizard and a rig that answers as a test says.
 namespace ostraka::ui {

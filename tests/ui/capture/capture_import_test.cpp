@@ -11,13 +11,13 @@
 #include <QUrl>
 #include <QtTest>
 
-#include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/import_ask.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/simulate.h"
 

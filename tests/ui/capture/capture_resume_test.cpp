@@ -2,12 +2,12 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "base/files.h"
 #include "bench.h"
-#include "catalogue/database.h"
 #include "catalogue/label_codes.h"
 #include "catalogue/typed_numbers.h"
+#include "files/files.h"
 #include "rig/plate_print.h"
+#include "store/database.h"
 #include "ui/queue/batch_queue.h"
 
 using namespace ostraka;

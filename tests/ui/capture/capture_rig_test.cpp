@@ -6,7 +6,6 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "catalogue/project.h"
 #include "fake_rig.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
@@ -14,6 +13,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -10,10 +10,9 @@
 #include <QSpinBox>
 #include <QtTest>
 
-#include "base/files.h"
 #include "catalogue/label_codes.h"
-#include "catalogue/project.h"
 #include "fake_rig.h"
+#include "files/files.h"
 #include "rig/rig.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
@@ -27,6 +26,7 @@
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

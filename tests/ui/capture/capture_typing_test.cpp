@@ -3,10 +3,10 @@
 #include <QLineEdit>
 #include <QtTest>
 
-#include "base/files.h"
 #include "bench.h"
 #include "catalogue/label_codes.h"
 #include "catalogue/typed_numbers.h"
+#include "files/files.h"
 #include "flat_rig.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/big_button.h"

@@ -4,11 +4,11 @@
 #include <QTranslator>
 #include <QtTest>
 
-#include "base/files.h"
 #include "batch/batch.h"
-#include "catalogue/project.h"
+#include "files/files.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 #include "virtualrig/batch_files.h"
 
 using namespace ostraka;

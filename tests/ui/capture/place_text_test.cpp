@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "catalogue/project.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -1,5 +1,5 @@
 #include "ui/catalogue/catalogue_screen.h"
-#include "catalogue/database.h"
+#include "store/database.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -18,8 +18,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "catalogue/database.h"
 #include "catalogue_window.h"
+#include "store/database.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
 #include "ui/catalogue/sherd_edits.h"

@@ -15,7 +15,7 @@
 #include <QTranslator>
 #include <cmath>
 
-#include "base/sheet.h"
+#include "paper/sheet.h"
 #include "sample_project.h"
 #include "ui/catalogue/sheet_view.h"
 #include "ui/frame/look.h"

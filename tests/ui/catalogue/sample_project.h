@@ -6,12 +6,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "base/files.h"
-#include "catalogue/project.h"
 #include "closed_shell.h"
 #include "cloud/ply.h"
+#include "files/files.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

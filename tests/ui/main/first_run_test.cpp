@@ -11,9 +11,8 @@
 #include <csignal>
 #include <filesystem>
 
+#include "archive/bagit.h"
 #include "catalogue/filter.h"
-#include "catalogue/project.h"
-#include "exchange/bagit.h"
 #include "person.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
@@ -22,6 +21,7 @@
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -9,10 +9,9 @@
 #include <atomic>
 #include <thread>
 
-#include "base/files.h"
-#include "catalogue/project.h"
-#include "catalogue/sherd.h"
+#include "files/files.h"
 #include "person.h"
+#include "records/sherd.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
@@ -21,6 +20,7 @@
 #include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
 #include "ui/queue/batch_queue.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

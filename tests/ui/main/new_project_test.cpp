@@ -2,8 +2,8 @@
 
 #include <QtTest>
 
-#include "catalogue/project.h"
 #include "ui/capture/rig_source.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

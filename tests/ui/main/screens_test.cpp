@@ -18,7 +18,6 @@
 #include <QTranslator>
 
 #include "../names.h"
-#include "catalogue/project.h"
 #include "person.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
@@ -32,6 +31,7 @@
 #include "ui/main/project_lock.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

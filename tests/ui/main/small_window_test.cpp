@@ -7,7 +7,6 @@
 #include <QTranslator>
 
 #include "../capture/fake_rig.h"
-#include "catalogue/project.h"
 #include "person.h"
 #include "synthetic_out.h"
 #include "ui/capture/capture_wizard.h"
@@ -18,6 +17,7 @@
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -10,8 +10,8 @@
 
 #include "capture/label_code.h"
 #include "catalogue/filter.h"
-#include "catalogue/project.h"
 #include "ui/capture/place_text.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

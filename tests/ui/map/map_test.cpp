@@ -6,14 +6,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "base/files.h"
-#include "catalogue/project.h"
+#include "files/files.h"
 #include "synthetic_out.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/map/map_screen.h"
 #include "ui/map/map_view.h"
 #include "ui/map/qr_code.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

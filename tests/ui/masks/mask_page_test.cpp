@@ -17,15 +17,15 @@
 #include <filesystem>
 
 #include "../names.h"
-#include "base/files.h"
-#include "catalogue/project.h"
-#include "pipeline/mask_strokes.h"
-#include "pipeline/review.h"
+#include "decisions/mask_strokes.h"
+#include "files/files.h"
+#include "review/review.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/masks/mask_model.h"
 #include "ui/masks/mask_view.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

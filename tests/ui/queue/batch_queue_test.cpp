@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "catalogue/database.h"
 #include "queue_bench.h"
+#include "store/database.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

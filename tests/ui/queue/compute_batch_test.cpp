@@ -3,10 +3,10 @@
 
 #include <QtTest>
 
-#include "base/files.h"
-#include "catalogue/computed_again.h"
-#include "catalogue/project.h"
+#include "files/files.h"
+#include "intake/computed_again.h"
 #include "synthetic_out.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

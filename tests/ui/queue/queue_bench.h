@@ -2,9 +2,9 @@
 #pragma once
 #include <QStringList>
 
-#include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_queue.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

@@ -9,10 +9,10 @@
 #include <atomic>
 #include <thread>
 
-#include "catalogue/project.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_queue.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <thread>
 
-#include "pipeline/review.h"
 #include "queue_bench.h"
+#include "review/review.h"
 #include "synthetic_out.h"
 
 using namespace ostraka;

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <csignal>
 
-#include "base/files.h"
+#include "files/files.h"
 #include "review_model.h"
 
 namespace ostraka::ui {

@@ -6,8 +6,8 @@
 #include <QTest>
 #include <nlohmann/json.hpp>
 
-#include "base/json.h"
 #include "cloud/ply.h"
+#include "files/json.h"
 #include "review_window.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/viewport/view_overlay.h"

@@ -7,12 +7,12 @@
 #include <QTest>
 #include <memory>
 
-#include "catalogue/project.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_screen.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 

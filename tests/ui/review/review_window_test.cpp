@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "../names.h"
-#include "base/files.h"
-#include "catalogue/piece_decisions.h"
+#include "files/files.h"
+#include "intake/piece_decisions.h"
 #include "review_window.h"
 #include "ui/frame/look.h"
 #include "ui/queue/batch_queue.h"

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <fstream>
 
-#include "base/files.h"
+#include "files/files.h"
 #include "review_window.h"
 #include "ui/queue/batch_figures.h"
 #include "ui/queue/batch_queue.h"

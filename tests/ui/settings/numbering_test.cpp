@@ -8,13 +8,13 @@
 #include <QtTest>
 
 #include "../names.h"
-#include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/settings/numbering_edit.h"
 #include "ui/settings/numbering_model.h"
 #include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

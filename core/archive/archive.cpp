@@ -1,0 +1,193 @@
+#include "archive/archive.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <map>
+#include <set>
+
+#include "archive/bag_reader.h"
+#include "archive/bagit.h"
+#include "files/cannot_write.h"
+#include "files/checksum.h"
+#include "files/new_folder.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCatalogue = "catalogue.sqlite";
+
+// What belongs to the programs that have the project open, not to the project: the catalogue's
+// journals, whose copy SQLite makes, the window's lock, what is half written, and what was checked.
+bool isOfAProgram(const fs::path& name) {
+  const std::string text = name.string();
+  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == "file-checks.txt";
+}
+
+Result<std::vector<fs::path>> filesOf(const fs::path& project) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  for (auto it = fs::recursive_directory_iterator(project, code);
+       it != fs::recursive_directory_iterator(); it.increment(code)) {
+    const fs::path name = it->path().filename();
+    if (name.extension() == ".partial") it.disable_recursion_pending();
+    if ((it.depth() == 0 && isOfAProgram(name)) || name.extension() == ".partial") continue;
+    std::error_code gone;
+    if (it->symlink_status(gone).type() == fs::file_type::regular) files.push_back(it->path());
+  }
+  if (code)
+    return Error::unusable("A folder of the project cannot be read (" + code.message() +
+                               "); check its permissions, and archive it again.",
+                           project.string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Copies the project's files into the bag and holds them against the catalogue.
+class Archiving {
+ public:
+  Archiving(const catalogue::Project& project, BagWriter& bag, Progress& progress,
+            std::stop_token stop)
+      : project_(project), bag_(bag), progress_(progress), stop_(std::move(stop)) {}
+
+  // `copy`: where SQLite's copy lies meanwhile.
+  Result<void> addCatalogue(const fs::path& copy) {
+    Result<void> added = project_.catalogue().backup(copy);
+    if (added)
+      if (const Result<BagFile> file = bag_.addFile(kCatalogue, copy, stop_); !file)
+        added = file.error();
+    std::error_code ignored;
+    fs::remove(copy, ignored);
+    return added;
+  }
+
+  Result<void> addFiles() {
+    const Result<std::vector<fs::path>> files = filesOf(project_.folder());
+    if (!files) return files.error();
+    for (std::size_t i = 0; i < files->size(); ++i) {
+      progress_.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files->size()));
+      const std::string name = (*files)[i].lexically_relative(project_.folder()).generic_string();
+      const Result<BagFile> added = bag_.addFile(name, (*files)[i], stop_);
+      if (!added) return added.error();
+      copied_[name] = {added->sha256, added->bytes};
+    }
+    return {};
+  }
+
+  Result<std::vector<catalogue::DamagedFile>> damage() const {
+    const auto known = catalogue::knownFiles(project_.catalogue());
+    if (!known) return known.error();
+    std::vector<catalogue::DamagedFile> damaged;
+    for (const catalogue::KnownFile& file : *known) {
+      const auto copied = copied_.find(file.path);
+      const auto found = copied == copied_.end() ? catalogue::Damage::Missing
+                                                 : catalogue::damageOf(file, copied->second);
+      if (found) damaged.push_back({file, *found});
+    }
+    return damaged;
+  }
+
+ private:
+  const catalogue::Project& project_;
+  BagWriter& bag_;
+  Progress& progress_;
+  std::stop_token stop_;
+  std::map<std::string, Checksum> copied_;
+};
+
+// All of the bag into the folder, which is new.
+Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& progress,
+                    const std::stop_token& stop) {
+  const Result<OpenFolder> to = OpenFolder::open(folder);
+  if (!to) return to.error();
+  std::int64_t done = 0;
+  for (const BagFile& file : bag.files()) {
+    progress.report(done++, static_cast<std::int64_t>(bag.files().size()));
+    const Result<ContainedPath> path = ContainedPath::parse(file.path);
+    if (!path) return path.error();
+    if (Result<void> copied = bag.copy(file, *to, path->below(), stop); !copied) return copied;
+  }
+  return {};
+}
+
+Result<void> checkRestored(const fs::path& folder) {
+  for (const char* name : {"batches", "results", "backups"})
+    if (Result<void> made = makeFolder(folder / name); !made) return made;
+  const Result<catalogue::Project> opened = catalogue::Project::open(folder);
+  if (!opened) return opened.error();
+  if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;
+  return catalogue::checkPaths(opened->catalogue());
+}
+
+}  // namespace
+
+Result<Archived> archiveProject(const catalogue::Project& project, const ArchiveOptions& options,
+                                Progress& progress, std::stop_token stop) {
+  const fs::path target = folderNamed(options.target);
+  if (!target.lexically_relative(project.folder()).generic_string().starts_with(".."))
+    return Error::unusable("An archive must be outside the project's folder.",
+                           options.target.string());
+  Result<BagWriter> bag = BagWriter::begin(target);
+  if (!bag) return bag.error();
+  Archiving archiving(project, *bag, progress, std::move(stop));
+  if (Result<void> added = archiving.addCatalogue(bag->folder() / "copy.sqlite"); !added)
+    return added.error();
+  if (Result<void> added = archiving.addFiles(); !added) return added.error();
+  Archived archived;
+  auto damage = archiving.damage();
+  if (!damage) return damage.error();
+  archived.damage = std::move(*damage);
+  if (!archived.damage.empty() && options.damaged == DamagedFiles::Refuse) return archived;
+  std::string list;
+  for (const catalogue::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
+  if (!list.empty()) bag->tag("damage.txt", list);
+  const auto record = project.catalogue().project();
+  if (!record) return record.error();
+  const Result<void> finished = bag->finish({{"External-Description", record->title},
+                                             {"External-Identifier", record->code},
+                                             {"Bag-Software-Agent", options.program},
+                                             {"Ostraka-Content", "project"}});
+  if (!finished) return finished.error();
+  archived.sealed = true;
+  archived.bytes = bag->bytes();
+  return archived;
+}
+
+Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder, Progress& progress,
+                                std::stop_token stop) {
+  std::error_code code;
+  if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code)))
+    return Error::unusable("Restoring a project needs a new or empty folder; choose another name.",
+                           folder.string());
+  const Result<BagReader> bag = BagReader::open(archive, progress, stop);
+  if (!bag) return bag.error();
+  if (!bag->find("data/catalogue.sqlite"))
+    return Error::unusable("Not an archive of a whole project; import it as an export instead.",
+                           archive.string());
+  for (const BagFile& file : bag->files())
+    // SQLite would act on a journal that lies beside the catalogue.
+    if (file.path.starts_with("data/catalogue.sqlite-"))
+      return Error::unusable(
+          "The archive contains a journal of its catalogue, which an Ostraka archive never does; "
+          "nothing was written.",
+          file.path);
+  std::vector<fs::path> made;  // the innermost first
+  for (fs::path parent = folderNamed(folder).parent_path(); !fs::exists(parent, code);
+       parent = parent.parent_path())
+    made.push_back(parent);
+  const Result<void> restored = [&]() -> Result<void> {
+    Result<NewFolder> fresh = NewFolder::begin(folder);
+    if (!fresh) return fresh.error();
+    if (Result<void> copied = unpack(*bag, fresh->path(), progress, stop); !copied) return copied;
+    if (Result<void> whole = checkRestored(fresh->path()); !whole) return whole;
+    return fresh->finish();
+  }();
+  if (!restored) {
+    for (const fs::path& parent : made) fs::remove(parent, code);
+    return restored.error();
+  }
+  return Restored{bag->damage()};
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,18 @@
+#include "archive/distinct_paths.h"
+
+#include "store/names.h"
+
+namespace ostraka::exchange {
+
+Result<void> DistinctPaths::add(const std::string& path) {
+  for (std::size_t to = path.find('/');; to = path.find('/', to + 1)) {
+    const std::string name = path.substr(0, to);
+    const auto [known, is_new] = spellings_.try_emplace(catalogue::uniqueKey(name), name);
+    const bool is_whole = to == std::string::npos;
+    if (known->second != name || (is_whole && !is_new))
+      return Error::unusable("Two files of the export would have the same name.", path);
+    if (is_whole) return {};
+  }
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,95 @@
+#include "archive/zip.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace ostraka::exchange {
+namespace {
+
+constexpr std::uint16_t kVersion = 20;     // folders and plain entries
+constexpr std::uint16_t kFirstDay = 0x21;  // 1980-01-01
+constexpr std::size_t kMostBytes = std::numeric_limits<std::uint32_t>::max() - (1U << 20);
+
+constexpr std::array<std::uint32_t, 256> crcTable() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t n = 0; n < 256; ++n) {
+    std::uint32_t c = n;
+    for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
+    table[n] = c;
+  }
+  return table;
+}
+
+// CRC-32 of ISO 3309.
+std::uint32_t crc32(std::string_view bytes) {
+  static constexpr std::array<std::uint32_t, 256> kTable = crcTable();
+  std::uint32_t crc = ~std::uint32_t{0};
+  for (const char byte : bytes)
+    crc = kTable[(crc ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (crc >> 8);
+  return ~crc;
+}
+
+void put16(std::string& out, std::uint16_t value) {
+  out += static_cast<char>(value & 0xFF);
+  out += static_cast<char>(value >> 8);
+}
+
+void put32(std::string& out, std::size_t value) {
+  for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
+}
+
+// What the local and the central header share.
+void putEntry(std::string& out, const ZipEntry& entry, std::uint32_t crc) {
+  put16(out, kVersion);
+  put16(out, 0);  // flags
+  put16(out, 0);  // stored
+  put16(out, 0);  // midnight
+  put16(out, kFirstDay);
+  put32(out, crc);
+  put32(out, entry.bytes.size());
+  put32(out, entry.bytes.size());
+  put16(out, static_cast<std::uint16_t>(entry.name.size()));
+  put16(out, 0);  // nothing extra
+}
+
+}  // namespace
+
+Result<std::string> zipped(const std::vector<ZipEntry>& entries) {
+  std::size_t total = 0;
+  for (const ZipEntry& entry : entries) total += entry.bytes.size() + 2 * entry.name.size() + 128;
+  if (total > kMostBytes || entries.size() > std::numeric_limits<std::uint16_t>::max())
+    return Error{
+        ErrorCode::UnusableInput, "This is too large for one ZIP file; select fewer sherds.", {}};
+  std::string out, central;
+  out.reserve(total);
+  for (const ZipEntry& entry : entries) {
+    const std::uint32_t crc = crc32(entry.bytes);
+    put32(central, 0x02014B50);
+    put16(central, kVersion);  // made by
+    putEntry(central, entry, crc);
+    put16(central, 0);  // no comment
+    put16(central, 0);  // first disk
+    put16(central, 0);  // internal attributes
+    put32(central, 0);  // external attributes
+    put32(central, out.size());
+    central += entry.name;
+    put32(out, 0x04034B50);
+    putEntry(out, entry, crc);
+    out += entry.name;
+    out += entry.bytes;
+  }
+  const std::size_t at = out.size();
+  out += central;
+  put32(out, 0x06054B50);
+  put16(out, 0);
+  put16(out, 0);
+  put16(out, static_cast<std::uint16_t>(entries.size()));
+  put16(out, static_cast<std::uint16_t>(entries.size()));
+  put32(out, central.size());
+  put32(out, at);
+  put16(out, 0);
+  return out;
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,84 @@
+#include "calibration/batch_corners.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "base/parallel.h"
+#include "batch/photograph.h"
+
+namespace ostraka::rig {
+namespace {
+
+// In blocks, so that progress is told from the stage's own thread.
+bool inBlocks(std::size_t count, int threads, Progress& progress, const std::stop_token& stop,
+              const std::function<void(std::size_t)>& body) {
+  const std::size_t block =
+      static_cast<std::size_t>(threads > 0 ? threads : availableThreads()) * 4;
+  for (std::size_t first = 0; first < count; first += block) {
+    if (stop.stop_requested()) return false;
+    progress.report(static_cast<std::int64_t>(first), static_cast<std::int64_t>(count));
+    parallelFor(std::min(block, count - first), threads, [&](std::size_t i) {
+      if (!stop.stop_requested()) body(first + i);
+    });
+  }
+  progress.report(static_cast<std::int64_t>(count), static_cast<std::int64_t>(count));
+  return !stop.stop_requested();
+}
+
+}  // namespace
+
+Result<std::vector<ShotMarkers>> findBatchMarkers(const batch::Batch& batch, int threads,
+                                                  Progress& progress, std::stop_token stop) {
+  std::vector<ShotMarkers> shots(batch.shots.size());
+  std::vector<std::optional<Error>> failed(shots.size());
+  const bool done = inBlocks(shots.size(), threads, progress, stop, [&](std::size_t i) {
+    const Result<cv::Mat> photograph = batch::readPhotograph(batch.shots[i].file);
+    if (!photograph) {
+      shots[i].unreadable = photograph.error().sentence();
+      return;
+    }
+    Result<std::vector<SeenMarker>> seen = findPlateMarkers(*photograph, *batch.plate);
+    if (seen)
+      shots[i].markers = std::move(*seen);
+    else
+      failed[i] = seen.error();
+  });
+  if (!done) return Error::cancelled();
+  for (const std::optional<Error>& error : failed)
+    if (error) return Error{error->code, error->what, (batch.folder / "plate.json").string()};
+  return shots;
+}
+
+Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int threads,
+                                                Progress& progress, std::stop_token stop) {
+  std::vector<TargetView> views(batch.calibration.size());
+  std::vector<std::string> unreadable(views.size());
+  std::vector<std::optional<Error>> failed(views.size());
+  const bool done = inBlocks(views.size(), threads, progress, stop, [&](std::size_t i) {
+    const Result<cv::Mat> photograph = batch::readPhotograph(batch.calibration[i].file);
+    if (!photograph) {
+      unreadable[i] = photograph.error().sentence();
+    } else {
+      Result<TargetView> view = findBoard(*photograph, *batch.board);
+      if (view)
+        views[i] = std::move(*view);
+      else
+        failed[i] = view.error();
+    }
+    views[i].file = batch.calibration[i].file.string();
+  });
+  if (!done) return Error::cancelled();
+  for (const std::optional<Error>& error : failed)
+    if (error) return Error{error->code, error->what, (batch.folder / "board.json").string()};
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (!unreadable[i].empty())
+      progress.note(NoteLevel::Warning, unreadable[i] + " This picture is left out.");
+    else if (views[i].points.empty())
+      progress.note(NoteLevel::Warning,
+                    views[i].file + ": The board was not detected; this picture is left out.");
+  }
+  return views;
+}
+
+}  // namespace ostraka::rig

@@ -1,0 +1,500 @@
+#include "calibration/calibrate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <tuple>
+
+#include "base/median.h"
+#include "base/text.h"
+#include "calibration/batch_corners.h"
+#include "calibration/bundle_adjustment.h"
+#include "calibration/held_out.h"
+#include "calibration/rig_start.h"
+#include "rig/view_pose.h"
+
+namespace ostraka::rig {
+namespace {
+
+constexpr int kMinViewsPerSide = 3;
+constexpr std::size_t kTellTale = 4;  // markers found: as many do not all err by chance
+
+int indexOf(const std::vector<int>& sorted, int value) {
+  return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+}
+
+double rms(double sum_of_squares, double count) {
+  return count > 0 ? std::sqrt(sum_of_squares / count) : 0;
+}
+
+class Poser {
+ public:
+  Poser(const batch::Batch& batch, const std::optional<Rig>& known, const PoseOptions& options,
+        Progress& progress, std::stop_token stop)
+      : batch_(batch), known_(known), options_(options), progress_(progress), stop_(stop) {}
+
+  Result<BatchPoses> run() {
+    if (!batch_.plate)
+      return Error{ErrorCode::NotEnough,
+                   "plate.json is missing, so the plate's markers cannot be used; copy the file "
+                   "that 'ostraka plate' wrote with the plate into this folder.",
+                   batch_.folder.string()};
+    numberEverything();
+    Result<std::vector<ShotMarkers>> shots =
+        findBatchMarkers(batch_, options_.threads, progress_, stop_);
+    if (!shots) return shots.error();
+    shots_ = std::move(*shots);
+    for (const ShotMarkers& shot : shots_) {
+      if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
+      markers_.push_back(placed(shot.markers, *batch_.plate));
+    }
+    if (const Result<void> found = findIntrinsics(); !found) return found.error();
+    if (const Result<void> found = findStart(); !found) return found.error();
+    if (const Result<void> found = refine(); !found) return found.error();
+    if (const Result<void> checked = holdOut(); !checked) return checked.error();
+    return poses();
+  }
+
+ private:
+  void warn(const std::string& text) {
+    out_.warnings.push_back(text);
+    progress_.note(NoteLevel::Warning, text);
+  }
+  void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
+  std::string cameraName(std::size_t index) const {
+    return "camera " + batch::cameraLetter(camera_numbers_[index]);
+  }
+
+  void numberEverything() {
+    std::set<int> cameras, stops;
+    for (const batch::Shot& shot : batch_.shots) {
+      cameras.insert(shot.camera);
+      stops.insert(shot.stop);
+    }
+    camera_numbers_.assign(cameras.begin(), cameras.end());
+    stop_numbers_.assign(stops.begin(), stops.end());
+    state_.cameras.resize(camera_numbers_.size());
+    state_.print_errors_mm.assign(batch_.plate->markers.size() * 4, Eigen::Vector3d::Zero());
+    intrinsics_rms_.assign(camera_numbers_.size(), 0);
+    out_.cameras.resize(camera_numbers_.size());
+    for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
+      out_.cameras[c].camera = camera_numbers_[c];
+      std::tie(out_.cameras[c].width, out_.cameras[c].height) = sizeOf(c);
+    }
+  }
+  int cameraOf(std::size_t shot) const {
+    return indexOf(camera_numbers_, batch_.shots[shot].camera);
+  }
+  int stopOf(std::size_t shot) const { return indexOf(stop_numbers_, batch_.shots[shot].stop); }
+  int sideOf(std::size_t shot) const {
+    return batch_.shots[shot].side == batch::Side::Front ? 0 : 1;
+  }
+
+  // The known rig's cameras, when it has all of this batch with the same picture size.
+  bool takeKnownRig() {
+    if (!known_) return false;
+    for (std::size_t i = 0; i < batch_.shots.size(); ++i) {
+      const batch::Shot& shot = batch_.shots[i];
+      const RigCamera* camera = known_->find(shot.camera);
+      if (camera == nullptr || camera->intrinsics.width != shot.width ||
+          camera->intrinsics.height != shot.height) {
+        warn("The known rig has no camera " + batch::cameraLetter(shot.camera) +
+             " with pictures of " + std::to_string(shot.width) + " x " +
+             std::to_string(shot.height) +
+             " pixels; the rig is calibrated from this batch instead.");
+        return false;
+      }
+      RigState::Camera& own = state_.cameras[cameraOf(i)];
+      own.intrinsics = camera->intrinsics;
+      own.camera_from_turntable = camera->camera_from_turntable;
+      own.inset_px = camera->marker_inset_px;
+      own.focal_sd_px = camera->focal_sd_px;
+      intrinsics_rms_[cameraOf(i)] = camera->intrinsics_rms_px;
+    }
+    return true;
+  }
+
+  Result<void> findIntrinsics() {
+    if (takeKnownRig()) {
+      mode_ = Cameras::Known;
+      return {};
+    }
+    std::vector<TargetView> boards;
+    if (batch_.board && !batch_.calibration.empty()) {
+      Result<std::vector<TargetView>> found =
+          findBatchBoards(batch_, options_.threads, progress_, stop_);
+      if (!found) return found.error();
+      boards = std::move(*found);
+    }
+    for (std::size_t c = 0; c < camera_numbers_.size(); ++c)
+      if (!intrinsicsFromBoards(c, boards))
+        if (const Result<void> found = intrinsicsFromMarkers(c); !found) return found.error();
+    return {};
+  }
+
+  std::pair<int, int> sizeOf(std::size_t camera) const {
+    for (const batch::Shot& shot : batch_.shots)
+      if (shot.camera == camera_numbers_[camera]) return {shot.width, shot.height};
+    return {0, 0};
+  }
+
+  bool intrinsicsFromBoards(std::size_t camera, const std::vector<TargetView>& boards) {
+    std::vector<TargetView> views;
+    for (std::size_t v = 0; v < boards.size(); ++v)
+      if (batch_.calibration[v].camera == camera_numbers_[camera] && !boards[v].points.empty())
+        views.push_back(boards[v]);
+    const auto [width, height] = sizeOf(camera);
+    const Result<IntrinsicsReport> report = calibrateIntrinsics(views, width, height);
+    if (!report) {
+      warn(cameraName(camera) + ": " + report.error().what +
+           " Its lens is estimated from the plate's markers instead.");
+      return false;
+    }
+    out_.cameras[camera].lens = *report;
+    for (const TargetView& view : views)
+      out_.cameras[camera].board_pixels.insert(out_.cameras[camera].board_pixels.end(),
+                                               view.pixels.begin(), view.pixels.end());
+    for (const std::string& advice : report->advice) warn(cameraName(camera) + ": " + advice);
+    if (!report->focal_determined) return false;
+    state_.cameras[camera].intrinsics = report->intrinsics;
+    intrinsics_rms_[camera] = report->rms_px;
+    const double sd = std::max(0.02, report->rms_px * M_SQRT1_2);  // of one coordinate
+    for (std::size_t v = 0; v < views.size(); ++v) {
+      const int view = static_cast<int>(state_.camera_from_board.size());
+      state_.camera_from_board.push_back(report->camera_from_target[v]);
+      for (std::size_t k = 0; k < views[v].points.size(); ++k)
+        board_corners_.push_back(
+            {static_cast<int>(camera), view, views[v].points[k], views[v].pixels[k], sd});
+    }
+    inform("rig: " + cameraName(camera) + " " + fixed(report->rms_px, 3) + " px over " +
+           std::to_string(views.size()) + " pictures of the board, focal length " +
+           fixed(report->intrinsics.fx, 1) + " +- " + fixed(report->sd[0], 1) + " px");
+    return true;
+  }
+
+  Result<void> intrinsicsFromMarkers(std::size_t camera) {
+    std::vector<TargetView> views;
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (cameraOf(i) != static_cast<int>(camera) || markers_[i].size() < 4) continue;
+      TargetView& view = views.emplace_back();
+      view.file = batch_.shots[i].file.string();
+      for (const PlacedMarker& marker : markers_[i])
+        for (int c = 0; c < 4; ++c) {
+          view.points.push_back(marker.corners[c]);
+          view.pixels.push_back(marker.seen.corners[c]);
+        }
+    }
+    const auto [width, height] = sizeOf(camera);
+    const Result<IntrinsicsReport> report = intrinsicsFromPlate(views, width, height);
+    if (!report)
+      return Error{ErrorCode::NotEnough,
+                   "The lens of " + cameraName(camera) +
+                       " is unknown: no usable pictures of the board and no plate markers were "
+                       "found; add pictures of the board to 'calib'.",
+                   batch_.folder.string()};
+    state_.cameras[camera].intrinsics = report->intrinsics;
+    warn("The lens of " + cameraName(camera) +
+         " was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' "
+         "for accurate measurements.");
+    return {};
+  }
+
+  Result<void> findStart() {
+    std::vector<ViewPose> views;
+    dropped_.resize(markers_.size());
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      dropped_[i].assign(markers_[i].size(), 0);
+      const auto pose = poseFromMarkers(markers_[i], state_.cameras[cameraOf(i)].intrinsics);
+      if (!pose) continue;
+      int agreeing = 0;
+      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
+        agreeing += pose->agrees[m] ? 1 : 0;
+        if (!pose->agrees[m]) drop(i, m, "it lies elsewhere than the others say");
+      }
+      views.push_back({cameraOf(i), sideOf(i), stopOf(i), pose->camera_from_plate, agreeing});
+    }
+    std::optional<RigStart> start = startRig(state_, views, stop_numbers_, mode_, sidesShot());
+    if (!start) {
+      int seen = 0;
+      for (const auto& markers : markers_) seen += markers.empty() ? 0 : 1;
+      return Error{ErrorCode::NotEnough,
+                   "The plate's markers were found in " + std::to_string(seen) + " of " +
+                       std::to_string(markers_.size()) +
+                       " photographs, too few for a pose of each side; check that plate.json "
+                       "belongs to this plate and that the markers are lit and in the picture.",
+                   batch_.folder.string()};
+    }
+    start_ = std::move(*start);
+    for (std::size_t c = 0; c < camera_numbers_.size(); ++c)
+      if (!start_.camera_posed[c])
+        warn("No photograph of " + cameraName(c) +
+             " shows two markers of the plate; all its photographs are left out.");
+    return {};
+  }
+
+  SidesShot sidesShot() const {
+    const bool back =
+        std::any_of(batch_.shots.begin(), batch_.shots.end(),
+                    [](const batch::Shot& shot) { return shot.side == batch::Side::Back; });
+    return back ? SidesShot::Both : SidesShot::FrontOnly;
+  }
+
+  void drop(std::size_t shot, std::size_t marker, const std::string& reason) {
+    dropped_[shot][marker] = 1;
+    inform("rig: marker " + std::to_string(markers_[shot][marker].seen.id) + " in " +
+           batch_.shots[shot].file.string() + " is not used: " + reason);
+  }
+
+  std::vector<PlateCorner> plateCorners(double sd_scale) const {
+    std::vector<PlateCorner> corners;
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (!start_.camera_posed[cameraOf(i)]) continue;
+      for (std::size_t m = 0; m < markers_[i].size(); ++m)
+        if (!dropped_[i][m]) append(corners, i, markers_[i][m], sd_scale);
+    }
+    return corners;
+  }
+
+  void append(std::vector<PlateCorner>& corners, std::size_t shot, const PlacedMarker& marker,
+              double sd_scale) const {
+    const Quad outward = outwardPerPixel(marker.seen.corners);
+    for (int c = 0; c < 4; ++c)
+      corners.push_back({cameraOf(shot), sideOf(shot), stopOf(shot),
+                         static_cast<int>(marker.plate_index * 4 + c), marker.corners[c],
+                         marker.seen.corners[c], outward[c], marker.seen.sd_px * sd_scale});
+  }
+
+  Result<void> adjustOnce(double sd_scale) {
+    if (stop_.stop_requested()) return Error::cancelled();
+    AdjustOptions options;
+    options.cameras = mode_;
+    options.table_repeatability_rad = options_.table_repeatability_rad;
+    Result<RigState> state = adjust(state_, plateCorners(sd_scale), board_corners_, options);
+    if (!state) return state.error();
+    state_ = std::move(*state);
+    return {};
+  }
+
+  Result<void> refine() {
+    state_ = start_.state;
+    if (const Result<void> done = adjustOnce(1); !done) return done;
+    if (mode_ == Cameras::Known && !knownRigFits()) {
+      mode_ = Cameras::LensKnown;
+      const RigState known = state_;
+      if (const Result<void> found = findStart(); !found) return found;
+      state_ = start_.state;
+      if (const Result<void> done = adjustOnce(1); !done) return done;
+      sayWhatMoved(known);
+    }
+    dropOutliers();
+    return adjustOnce(sdScale());
+  }
+
+  std::vector<double> residualsOf(std::size_t camera) const {
+    std::vector<double> errors;
+    for (const PlateCorner& corner : plateCorners(1))
+      if (corner.camera == static_cast<int>(camera))
+        errors.push_back(residual(state_, corner).norm());
+    return errors;
+  }
+
+  bool knownRigFits() {
+    bool fits = true;
+    for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
+      const double typical = medianOf(residualsOf(c));
+      out_.cameras[c].known_residual_px = typical;
+      if (typical <= options_.max_known_rig_residual_px) continue;
+      fits = false;
+      warn("The known rig no longer fits: " + cameraName(c) + " misses the markers by " +
+           fixed(typical, 2) +
+           " px. The camera poses are re-estimated for this batch; recalibrate the rig.");
+    }
+    return fits;
+  }
+
+  // Which camera stands elsewhere than the known rig has it, in words.
+  void sayWhatMoved(const RigState& known) {
+    auto& cameras = out_.cameras;
+    const auto best = std::min_element(cameras.begin(), cameras.end(), [](auto& a, auto& b) {
+      return a.known_residual_px < b.known_residual_px;
+    });
+    const auto reference = static_cast<std::size_t>(best - cameras.begin());
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+      if (c == reference || !start_.camera_posed[c]) continue;
+      const Move move = moveAgainst(known, state_, c, reference);
+      cameras[c].moved_mm = move.moved_mm;
+      cameras[c].turned_rad = move.turned_rad;
+      if (cameras[c].known_residual_px > options_.max_known_rig_residual_px)
+        warn(sentence(move, camera_numbers_[c], camera_numbers_[reference]));
+    }
+  }
+
+  // Distances that the fit does not know: the adjustment once more without four markers.
+  Result<void> holdOut() {
+    const double scale = sdScale();
+    const std::vector<PlateCorner> corners = plateCorners(scale);
+    out_.markers.resize(batch_.plate->markers.size());
+    for (std::size_t m = 0; m < out_.markers.size(); ++m)
+      out_.markers[m] = cornersInSpace(state_, ofMarker(corners, m));
+    const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, corners);
+    if (chosen.empty()) return {};
+    std::vector<PlateCorner> others;
+    for (const PlateCorner& corner : corners)
+      if (std::find(chosen.begin(), chosen.end(), corner.plate_point / 4) == chosen.end())
+        others.push_back(corner);
+    if (stop_.stop_requested()) return Error::cancelled();
+    AdjustOptions options;
+    options.cameras = mode_ == Cameras::Free ? Cameras::LensKnown : mode_;
+    options.table_repeatability_rad = options_.table_repeatability_rad;
+    const Result<RigState> state = adjust(state_, others, {}, options);
+    if (!state) return state.error();
+    out_.held_out = heldOutDistances(*batch_.plate, chosen, *state, corners);
+    for (const HeldOutDistance& d : out_.held_out) {
+      if (const std::optional<std::string> doubt = scaleDoubt(d))
+        warn(*doubt);
+      else
+        inform("rig: " + sentence(d));
+    }
+    return {};
+  }
+
+  // How far residuals really scatter against what was expected of them.
+  double sdScale() const {
+    std::vector<double> ratios;
+    for (const PlateCorner& corner : plateCorners(1)) {
+      const Eigen::Vector2d r = residual(state_, corner) / corner.sd_px;
+      ratios.push_back(std::abs(r.x()));
+      ratios.push_back(std::abs(r.y()));
+    }
+    return std::max(0.2, 1.4826 * medianOf(ratios));
+  }
+
+  double markerError(std::size_t shot, const PlacedMarker& marker) const {
+    std::vector<PlateCorner> corners;
+    append(corners, shot, marker, 1);
+    double sum = 0;
+    for (const PlateCorner& corner : corners) sum += residual(state_, corner).squaredNorm();
+    return rms(sum, 4);
+  }
+
+  // A marker that is bent, covered in part or foreign: beyond six standard deviations and a pixel.
+  void dropOutliers() {
+    const double scale = sdScale();
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (!start_.camera_posed[cameraOf(i)]) continue;
+      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
+        if (dropped_[i][m]) continue;
+        const double error = markerError(i, markers_[i][m]);
+        if (error > std::max(0.5, 6 * scale * markers_[i][m].seen.sd_px))
+          drop(i, m, "it misses its place by " + fixed(error, 2) + " px");
+      }
+    }
+  }
+
+  Result<BatchPoses> poses() {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < batch_.shots.size(); ++i) {
+      if (!shots_[i].unreadable.empty() || !start_.camera_posed[cameraOf(i)]) continue;
+      const batch::Shot& shot = batch_.shots[i];
+      PosedImage image;
+      image.file = shot.file.string();
+      image.side = shot.side;
+      image.camera = shot.camera;
+      image.stop = shot.stop;
+      image.intrinsics = state_.cameras[cameraOf(i)].intrinsics;
+      image.camera_from_plate = state_.cameraFromPlate(cameraOf(i), sideOf(i), stopOf(i));
+      double squares = 0;
+      int used = 0;
+      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
+        if (dropped_[i][m]) continue;
+        const double error = markerError(i, markers_[i][m]);
+        squares += 4 * error * error;
+        ++used;
+      }
+      if (used == 0 && markers_[i].size() >= kTellTale) {
+        warn(image.file + ": none of its " + std::to_string(markers_[i].size()) +
+             " markers is where this camera sees them at this position. It has another "
+             "photograph's name or was taken while the plate was turning; it is left out.");
+        continue;
+      }
+      if (used == 0)
+        warn(image.file +
+             ": no marker is visible; check that the photograph shows this position. If not, "
+             "retake it.");
+      sum += squares;
+      count += 4 * used;
+      out_.images.push_back(std::move(image));
+      out_.rms_per_image_px.push_back(rms(squares, 4 * used));
+      out_.markers_per_image.push_back(used);
+    }
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      if (side == batch::Side::Back && sidesShot() == SidesShot::FrontOnly) break;
+      const auto views = std::count_if(out_.images.begin(), out_.images.end(),
+                                       [&](const PosedImage& image) { return image.side == side; });
+      if (views < kMinViewsPerSide)
+        return Error{ErrorCode::NotEnough,
+                     std::string("Only ") + std::to_string(views) + " photographs of the " +
+                         batch::name(side) +
+                         " side have a pose; at least 3 are needed. Check that the plate's markers "
+                         "are lit and in the picture.",
+                     batch_.folder.string()};
+    }
+    out_.reprojection_rms_px = rms(sum, count);
+    for (std::size_t c = 0; c < out_.cameras.size(); ++c) {
+      const std::vector<double> errors = residualsOf(c);
+      out_.cameras[c].marker_corners = static_cast<int>(errors.size());
+      out_.cameras[c].median_residual_px = medianOf(std::vector(errors));
+    }
+    fillRig();
+    inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +
+           " marker corners in " + std::to_string(out_.images.size()) + " photographs");
+    return std::move(out_);
+  }
+
+  std::vector<double> knownCovariance(std::size_t camera) const {
+    const RigCamera* known = known_ ? known_->find(camera_numbers_[camera]) : nullptr;
+    return known != nullptr && mode_ == Cameras::Known ? known->covariance : std::vector<double>();
+  }
+
+  void fillRig() {
+    Rig& rig = out_.rig;
+    for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
+      if (!start_.camera_posed[c]) continue;
+      const RigState::Camera& camera = state_.cameras[c];
+      rig.cameras.push_back({camera_numbers_[c], camera.intrinsics, camera.camera_from_turntable,
+                             camera.focal_sd_px, intrinsics_rms_[c], camera.inset_px,
+                             mode_ == Cameras::Free ? camera.covariance : knownCovariance(c)});
+    }
+    rig.stops = stop_numbers_;
+    rig.stop_angles_rad = state_.angles_rad[0];
+    for (double& angle : rig.stop_angles_rad) angle -= state_.angles_rad[0][0];
+    rig.reprojection_rms_px = out_.reprojection_rms_px;
+  }
+
+  const batch::Batch& batch_;
+  const std::optional<Rig>& known_;
+  const PoseOptions& options_;
+  Progress& progress_;
+  std::stop_token stop_;
+  Cameras mode_ = Cameras::Free;
+  std::vector<int> camera_numbers_, stop_numbers_;  // ascending; their places are the indices
+  std::vector<double> intrinsics_rms_;
+  std::vector<ShotMarkers> shots_;
+  std::vector<std::vector<PlacedMarker>> markers_;  // by shot
+  std::vector<std::vector<char>> dropped_;          // by shot and marker
+  std::vector<BoardCorner> board_corners_;
+  RigState state_;
+  RigStart start_;
+  BatchPoses out_;
+};
+
+}  // namespace
+
+Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<Rig>& known,
+                             const PoseOptions& options, Progress& progress, std::stop_token stop) {
+  if (const Result<void> good = options.check(); !good) return good.error();
+  return Poser(batch, known, options, progress, std::move(stop)).run();
+}
+
+}  // namespace ostraka::rig

@@ -1,0 +1,400 @@
+#include "calibration/free_cameras.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/median.h"
+#include "base/text.h"
+#include "calibration/batch_corners.h"
+#include "calibration/bundle_adjustment.h"
+#include "calibration/held_out.h"
+#include "calibration/lenses.h"
+#include "rig/view_pose.h"
+
+namespace ostraka::rig {
+namespace {
+
+constexpr int kFewestViews = 3;
+constexpr double kBend = 0.02;          // of the sheet's half diagonal: 3.6 mm for A4
+constexpr double kMostBent = 0.1;       // of the corner's distance from the middle
+constexpr std::size_t kNamedAlone = 3;  // of more photographs one sentence tells
+constexpr double kMostDropped = 0.5;    // of a photograph's markers; a pose from fewer is chance
+constexpr double kNamedBend_mm = 1;     // a sheet this flat harms nothing
+
+// Markers in one part of a picture do not determine the higher terms of a lens: what would move the
+// picture's corner by a tenth is none's. Without them the adjustment finds those that it can.
+Intrinsics withinReason(Intrinsics lens) {
+  const double r2 = (Eigen::Vector2d(0.5 * lens.width, 0.5 * lens.height) / lens.fx).squaredNorm();
+  const auto& d = lens.distortion;
+  if (std::abs(d[1]) * r2 * r2 > kMostBent || std::abs(d[4]) * r2 * r2 * r2 > kMostBent)
+    lens.distortion = {};
+  return lens;
+}
+
+class FreePoser {
+ public:
+  FreePoser(const batch::Batch& batch, const PoseOptions& options, Progress& progress,
+            std::stop_token stop)
+      : batch_(batch), options_(options), progress_(progress), stop_(std::move(stop)) {}
+
+  Result<BatchPoses> run() {
+    if (!batch_.plate)
+      return Error{ErrorCode::NotEnough,
+                   "plate.json is missing, so the plate's markers cannot be used; copy the file "
+                   "that 'ostraka plate' wrote with the plate into this folder.",
+                   batch_.folder.string()};
+    Result<std::vector<ShotMarkers>> shots =
+        findBatchMarkers(batch_, options_.threads, progress_, stop_);
+    if (!shots) return shots.error();
+    for (const ShotMarkers& shot : *shots) {
+      if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
+      markers_.push_back(placed(shot.markers, *batch_.plate));
+      readable_.push_back(shot.unreadable.empty());
+    }
+    groupLenses();
+    if (const Result<void> found = findStart(); !found) return found.error();
+    if (const Result<void> done = adjustOnce(1); !done) return done.error();
+    dropOutliers();
+    if (const Result<void> done = adjustOnce(sdScale()); !done) return done.error();
+    if (const Result<void> done = holdOut(); !done) return done.error();
+    return poses();
+  }
+
+ private:
+  void warn(const std::string& text) {
+    out_.warnings.push_back(text);
+    progress_.note(NoteLevel::Warning, text);
+  }
+  void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
+
+  int sideOf(std::size_t shot) const {
+    return batch_.shots[shot].side == batch::Side::Front ? 0 : 1;
+  }
+  int platePoints() const { return static_cast<int>(4 * batch_.plate->markers.size()); }
+
+  void groupLenses() {
+    by_exif_ = lensesOf(batch_.shots);
+    std::vector<TargetView> views;
+    for (std::size_t i = 0; i < markers_.size(); ++i) views.push_back(viewOf(i));
+    lens_ = toldApart(by_exif_, batch_.shots, views);
+    int count = 0;
+    for (const int lens : lens_) count = std::max(count, lens + 1);
+    out_.cameras.resize(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < lens_.size(); ++i) {
+      CameraFindings& found = out_.cameras[static_cast<std::size_t>(lens_[i])];
+      found.camera = lens_[i];
+      found.width = batch_.shots[i].width;
+      found.height = batch_.shots[i].height;
+    }
+    if (lens_ != by_exif_)
+      inform("rig: photographs of one camera were taken at several focal lengths; " +
+             std::to_string(count) + " lenses are told apart");
+  }
+
+  TargetView viewOf(std::size_t shot) const {
+    TargetView view;
+    view.file = batch_.shots[shot].file.string();
+    for (const PlacedMarker& marker : markers_[shot])
+      for (int c = 0; c < 4; ++c) {
+        view.points.push_back(marker.corners[c]);
+        view.pixels.push_back(marker.seen.corners[c]);
+      }
+    return view;
+  }
+
+  Result<Intrinsics> lensFromMarkers(int lens) const {
+    std::vector<TargetView> views;
+    int width = 0, height = 0;
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (lens_[i] != lens) continue;
+      width = batch_.shots[i].width;
+      height = batch_.shots[i].height;
+      if (markers_[i].size() >= 4) views.push_back(viewOf(i));
+    }
+    Result<IntrinsicsReport> report = calibrateIntrinsics(views, width, height);
+    if (!report) report = intrinsicsFromPlate(views, width, height);
+    if (!report) return report.error();
+    return withinReason(report->intrinsics);
+  }
+
+  Result<void> findStart() {
+    std::vector<std::optional<Intrinsics>> lenses;
+    for (std::size_t k = 0; k < out_.cameras.size(); ++k) {
+      const Result<Intrinsics> lens = lensFromMarkers(static_cast<int>(k));
+      lenses.push_back(lens ? std::optional(*lens) : std::nullopt);
+    }
+    std::vector<std::size_t> unposed;
+    dropped_.resize(markers_.size());
+    camera_of_.assign(markers_.size(), -1);
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      dropped_[i].assign(markers_[i].size(), 0);
+      const auto pose = poseByBestLens(i, lenses);
+      const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(lens_[i])];
+      if (!pose) {
+        if (readable_[i]) unposed.push_back(i);
+        continue;
+      }
+      for (std::size_t m = 0; m < markers_[i].size(); ++m)
+        if (!pose->agrees[m]) drop(i, m, "it lies elsewhere than the others say");
+      camera_of_[i] = static_cast<int>(state_.cameras.size());
+      RigState::Camera& camera = state_.cameras.emplace_back();
+      camera.intrinsics = *lens;
+      camera.camera_from_turntable = pose->camera_from_plate;
+      lens_of_camera_.push_back(lens_[i]);
+    }
+    nameUnposed(unposed);
+    for (std::vector<double>& angles : state_.angles_rad) angles = {0};
+    state_.print_errors_mm.assign(static_cast<std::size_t>(2 * platePoints()),
+                                  Eigen::Vector3d::Zero());
+    return enoughViews();
+  }
+
+  // One photograph does not always tell its own focal length: of the lenses that its camera was
+  // found to have it gets the one with which most of its markers agree.
+  std::optional<PoseFromMarkers> poseByBestLens(
+      std::size_t shot, const std::vector<std::optional<Intrinsics>>& lenses) {
+    std::optional<PoseFromMarkers> best;
+    std::ptrdiff_t most = -1;
+    for (const int k : lensesOfCamera(by_exif_[shot], lens_[shot])) {
+      const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(k)];
+      auto pose = lens ? poseFromMarkers(markers_[shot], *lens) : std::nullopt;
+      if (!pose) continue;
+      const std::ptrdiff_t agree = std::count(pose->agrees.begin(), pose->agrees.end(), char{1});
+      if (agree > most) most = agree, best = std::move(pose), lens_[shot] = k;
+    }
+    return best;
+  }
+
+  // All that were told apart of one by EXIF; `first` comes first.
+  std::vector<int> lensesOfCamera(int by_exif, int first) const {
+    std::vector<int> lenses{first};
+    for (std::size_t i = 0; i < lens_.size(); ++i)
+      if (by_exif_[i] == by_exif &&
+          std::find(lenses.begin(), lenses.end(), lens_[i]) == lenses.end())
+        lenses.push_back(lens_[i]);
+    return lenses;
+  }
+
+  void nameUnposed(const std::vector<std::size_t>& shots) {
+    if (shots.size() > kNamedAlone) {
+      std::string names;
+      for (std::size_t k = 0; k < kNamedAlone; ++k)
+        names += (k > 0 ? ", " : "") + batch_.shots[shots[k]].file.filename().string();
+      return warn("Photographs that show too few of the sheet's markers for a pose are left out (" +
+                  names + " and " + std::to_string(shots.size() - kNamedAlone) +
+                  " more); check that they show this sheet.");
+    }
+    for (const std::size_t shot : shots)
+      warn(batch_.shots[shot].file.string() + ": " + std::to_string(markers_[shot].size()) +
+           " of the sheet's markers can be read, too few for a pose; the photograph is left out.");
+  }
+
+  Result<void> enoughViews() const {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      int shots = 0, posed = 0;
+      for (std::size_t i = 0; i < markers_.size(); ++i) {
+        if (batch_.shots[i].side != side) continue;
+        ++shots;
+        posed += camera_of_[i] >= 0 ? 1 : 0;
+      }
+      if (shots == 0 || posed >= kFewestViews) continue;
+      return Error{ErrorCode::NotEnough,
+                   "The sheet's markers can be read in " + std::to_string(posed) + " of " +
+                       std::to_string(shots) + " photographs of the " + batch::name(side) +
+                       " side; at least 3 are needed. Check that plate.json describes this sheet, "
+                       "that the photographs are not mirrored, and that most of the markers are "
+                       "in the picture.",
+                   batch_.folder.string()};
+    }
+    return {};
+  }
+
+  void drop(std::size_t shot, std::size_t marker, const std::string& reason) {
+    dropped_[shot][marker] = 1;
+    inform("rig: marker " + std::to_string(markers_[shot][marker].seen.id) + " in " +
+           batch_.shots[shot].file.string() + " is not used: " + reason);
+  }
+
+  void append(std::vector<PlateCorner>& corners, std::size_t shot, const PlacedMarker& marker,
+              double sd_scale) const {
+    const Quad outward = outwardPerPixel(marker.seen.corners);
+    const int first = sideOf(shot) * platePoints() + static_cast<int>(marker.plate_index * 4);
+    for (int c = 0; c < 4; ++c)
+      corners.push_back({camera_of_[shot], sideOf(shot), 0, first + c, marker.corners[c],
+                         marker.seen.corners[c], outward[c], marker.seen.sd_px * sd_scale});
+  }
+
+  std::vector<PlateCorner> sheetCorners(double sd_scale) const {
+    std::vector<PlateCorner> corners;
+    for (std::size_t i = 0; i < markers_.size(); ++i)
+      for (std::size_t m = 0; camera_of_[i] >= 0 && m < markers_[i].size(); ++m)
+        if (!dropped_[i][m]) append(corners, i, markers_[i][m], sd_scale);
+    return corners;
+  }
+
+  AdjustOptions adjustOptions() const {
+    AdjustOptions options;
+    options.cameras = Cameras::Separate;
+    options.lenses.lens_of_camera = lens_of_camera_;
+    double half_diagonal = 0;
+    for (const batch::Marker& marker : batch_.plate->markers)
+      for (const Eigen::Vector3d& corner : marker.corners)
+        half_diagonal = std::max(half_diagonal, corner.head<2>().norm());
+    options.bend_sd_mm = kBend * half_diagonal;
+    return options;
+  }
+
+  Result<void> adjustOnce(double sd_scale) {
+    if (stop_.stop_requested()) return Error::cancelled();
+    Result<RigState> state = adjust(state_, sheetCorners(sd_scale), {}, adjustOptions());
+    if (!state) return state.error();
+    state_ = std::move(*state);
+    return {};
+  }
+
+  // How far residuals really scatter against what was expected of them.
+  double sdScale() const {
+    std::vector<double> ratios;
+    for (const PlateCorner& corner : sheetCorners(1)) {
+      const Eigen::Vector2d r = residual(state_, corner) / corner.sd_px;
+      ratios.push_back(std::abs(r.x()));
+      ratios.push_back(std::abs(r.y()));
+    }
+    return std::max(0.2, 1.4826 * medianOf(ratios));
+  }
+
+  double markerError(std::size_t shot, const PlacedMarker& marker) const {
+    std::vector<PlateCorner> corners;
+    append(corners, shot, marker, 1);
+    double sum = 0;
+    for (const PlateCorner& corner : corners) sum += residual(state_, corner).squaredNorm();
+    return std::sqrt(sum / 4);
+  }
+
+  // Covered in part or foreign: beyond six standard deviations and half a pixel.
+  void dropOutliers() {
+    const double scale = sdScale();
+    for (std::size_t i = 0; i < markers_.size(); ++i)
+      for (std::size_t m = 0; camera_of_[i] >= 0 && m < markers_[i].size(); ++m) {
+        if (dropped_[i][m]) continue;
+        const double error = markerError(i, markers_[i][m]);
+        if (error > std::max(0.5, 6 * scale * markers_[i][m].seen.sd_px))
+          drop(i, m, "it misses its place by " + fixed(error, 2) + " px");
+      }
+  }
+
+  // Distances that the fit does not know, side by side: the adjustment once more without four
+  // markers.
+  Result<void> holdOut() {
+    const std::vector<PlateCorner> corners = sheetCorners(sdScale());
+    for (int side = 0; side < 2; ++side) {
+      std::vector<PlateCorner> own;
+      for (PlateCorner corner : corners) {
+        if (corner.side != side) continue;
+        corner.plate_point -= side * platePoints();
+        own.push_back(corner);
+      }
+      const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, own);
+      if (chosen.empty()) continue;
+      std::vector<PlateCorner> others;
+      for (const PlateCorner& corner : corners) {
+        const int marker = (corner.plate_point - corner.side * platePoints()) / 4;
+        if (corner.side != side || std::find(chosen.begin(), chosen.end(), marker) == chosen.end())
+          others.push_back(corner);
+      }
+      if (stop_.stop_requested()) return Error::cancelled();
+      const Result<RigState> state = adjust(state_, others, {}, adjustOptions());
+      if (!state) return state.error();
+      for (const HeldOutDistance& d : heldOutDistances(*batch_.plate, chosen, *state, own)) {
+        out_.held_out.push_back(d);
+        if (const std::optional<std::string> doubt = scaleDoubt(d))
+          warn(*doubt);
+        else
+          inform("rig: " + sentence(d));
+      }
+    }
+    return {};
+  }
+
+  // How far the sheet of a side leaves its plane where its corners were seen.
+  double bendOf(int side) const {
+    double most = 0;
+    for (const PlateCorner& corner : sheetCorners(1))
+      if (corner.side == side)
+        most = std::max(
+            most,
+            std::abs(state_.print_errors_mm[static_cast<std::size_t>(corner.plate_point)].z()));
+    return most;
+  }
+
+  Result<BatchPoses> poses() {
+    double sum = 0, count = 0;
+    std::vector<std::vector<double>> residuals(out_.cameras.size());
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      if (camera_of_[i] < 0) continue;
+      const RigState::Camera& camera = state_.cameras[static_cast<std::size_t>(camera_of_[i])];
+      const batch::Shot& shot = batch_.shots[i];
+      double squares = 0;
+      int used = 0;
+      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
+        if (dropped_[i][m]) continue;
+        const double error = markerError(i, markers_[i][m]);
+        squares += 4 * error * error;
+        residuals[static_cast<std::size_t>(lens_[i])].push_back(error);
+        ++used;
+      }
+      if (used < (1 - kMostDropped) * static_cast<double>(markers_[i].size())) {
+        warn(shot.file.string() +
+             ": most of the sheet's markers are not where the other photographs place them; the "
+             "photograph is left out.");
+        camera_of_[i] = -1;
+        continue;
+      }
+      sum += squares;
+      count += 4 * used;
+      out_.images.push_back({shot.file.string(), shot.side, shot.camera, shot.stop,
+                             camera.intrinsics, camera.camera_from_turntable});
+      out_.rms_per_image_px.push_back(used > 0 ? std::sqrt(squares / (4 * used)) : 0);
+      out_.markers_per_image.push_back(used);
+    }
+    if (const Result<void> enough = enoughViews(); !enough) return enough.error();
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      out_.cameras[k].marker_corners = static_cast<int>(4 * residuals[k].size());
+      out_.cameras[k].median_residual_px = medianOf(residuals[k]);
+    }
+    out_.bends = state_.bends;
+    out_.reprojection_rms_px = count > 0 ? std::sqrt(sum / count) : 0;
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+      if (const double bend = bendOf(side == batch::Side::Front ? 0 : 1); bend > kNamedBend_mm)
+        inform("rig: the sheet of the " + std::string(batch::name(side)) +
+               " side is bent by up to " + fixed(bend, 1) + " mm; this is allowed for");
+    inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +
+           " marker corners in " + std::to_string(out_.images.size()) +
+           " photographs taken by hand");
+    return std::move(out_);
+  }
+
+  const batch::Batch& batch_;
+  const PoseOptions& options_;
+  Progress& progress_;
+  std::stop_token stop_;
+  std::vector<std::vector<PlacedMarker>> markers_;  // by shot
+  std::vector<char> readable_;                      // by shot
+  std::vector<std::vector<char>> dropped_;          // by shot and marker
+  std::vector<int> by_exif_;                        // by shot: lenses as cameras tell them
+  std::vector<int> lens_;                           // by shot: as markers tell them, too
+  std::vector<int> camera_of_;                      // by shot: index in state_.cameras, or -1
+  std::vector<int> lens_of_camera_;                 // by index in state_.cameras
+  RigState state_;
+  BatchPoses out_;
+};
+
+}  // namespace
+
+Result<BatchPoses> poseFreeCameras(const batch::Batch& batch, const PoseOptions& options,
+                                   Progress& progress, std::stop_token stop) {
+  if (const Result<void> good = options.check(); !good) return good.error();
+  return FreePoser(batch, options, progress, std::move(stop)).run();
+}
+
+}  // namespace ostraka::rig

@@ -1,0 +1,44 @@
+#include "cameras/desktop_hold.h"
+
+#include <algorithm>
+
+#include "colmap/colmap_program.h"
+
+namespace ostraka::capture {
+
+std::vector<std::string> desktopHolders(const std::vector<FoundDevice>& devices) {
+  std::vector<std::string> holders;
+  for (const FoundDevice& device : devices)
+    for (const std::string& holder : device.holders)
+      if (holder.starts_with("gvfs") &&
+          std::find(holders.begin(), holders.end(), holder) == holders.end())
+        holders.push_back(holder);
+  return holders;
+}
+
+Result<void> releaseFromDesktop(const std::vector<FoundDevice>& devices, const RunProgram& run,
+                                const std::function<std::vector<FoundDevice>()>& find_again) {
+  if (desktopHolders(devices).empty()) return {};
+  // Each may fail where the desktop has no such program or service; only what is left counts.
+  (void)run("gio", {"mount", "-s", "gphoto2"});
+  if (desktopHolders(find_again()).empty()) return {};
+  (void)run("systemctl", {"--user", "stop", "gvfs-gphoto2-volume-monitor.service"});
+  for (const FoundDevice& device : find_again())
+    if (const auto holders = desktopHolders({device}); !holders.empty())
+      return Error{ErrorCode::Failed,
+                   "The desktop does not release the camera: it is still in use by " +
+                       holders.front() + "; close its file window and try again.",
+                   device.model};
+  return {};
+}
+
+RunProgram programRunner(std::stop_token stop) {
+  return [stop](const std::string& program,
+                const std::vector<std::string>& arguments) -> Result<void> {
+    const auto found = rig::findProgram(program);
+    if (!found) return Error{ErrorCode::Missing, "This program is not installed.", program};
+    return rig::runProgram(*found, arguments, "/dev/null", stop);
+  };
+}
+
+}  // namespace ostraka::capture

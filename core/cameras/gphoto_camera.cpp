@@ -1,0 +1,397 @@
+#include "cameras/gphoto_camera.h"
+
+#include <gphoto2/gphoto2.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "base/text.h"
+#include "cameras/gphoto_library.h"
+
+namespace ostraka::capture {
+namespace {
+
+constexpr double kBusy_s = 4;       // "I/O in progress" passes; a person who stops waits as long
+constexpr double kMoreFiles_s = 2;  // RAW and JPEG come one after the other
+constexpr double kPause_s = 0.02;   // a time-out event may come at once
+constexpr double kDrain_s = 0.2;    // silence for so long: nothing is left
+constexpr int kPreviewTries = 3;
+
+struct ContextDeleter {
+  void operator()(GPContext* c) const { gp_context_unref(c); }
+};
+using Context = std::unique_ptr<GPContext, ContextDeleter>;
+
+struct FileDeleter {
+  void operator()(::CameraFile* f) const { gp_file_unref(f); }
+};
+struct WidgetDeleter {
+  void operator()(CameraWidget* w) const { gp_widget_free(w); }
+};
+using Widget = std::unique_ptr<CameraWidget, WidgetDeleter>;
+
+// Names that cameras give to one setting; the first that exists counts.
+const std::map<std::string, std::vector<std::string>>& keysOf() {
+  static const std::map<std::string, std::vector<std::string>> keys{
+      {"iso", {"iso"}},
+      {"aperture", {"aperture", "f-number"}},
+      {"exposure", {"shutterspeed2", "shutterspeed"}},
+      {"format", {"imageformat", "imagequality"}},
+      {"focus", {"focusmode", "focusmode2"}},
+      {"white_balance", {"whitebalance"}}};
+  return keys;
+}
+
+class GphotoCamera final : public Camera {
+ public:
+  GphotoCamera(std::string serial, std::shared_ptr<Clock> clock)
+      : serial_(std::move(serial)), clock_(std::move(clock)), context_(gp_context_new()) {}
+  ~GphotoCamera() override { (void)close(); }
+  GphotoCamera(const GphotoCamera&) = delete;
+  GphotoCamera& operator=(const GphotoCamera&) = delete;
+
+  // By the serial number, wherever it is plugged in.
+  Result<void> open() {
+    const std::lock_guard lock(gphotoLock());
+    if (serial_.starts_with("ptpip:")) return openAt({"PTP/IP Camera", serial_});
+    Result<void> best = Error{ErrorCode::Missing, "The camera is not plugged in.", serial_};
+    std::string others;
+    for (const GphotoPort& seen : detectGphoto(context_.get())) {
+      const Result<void> opened = openAt(seen);
+      if (!opened) {
+        best = opened;
+        continue;
+      }
+      if (const std::string found = text("serialnumber"); found == serial_ || serial_.empty()) {
+        serial_ = found;
+        return {};
+      } else {
+        others += (others.empty() ? "" : ", ") + found;
+      }
+      letGo();
+    }
+    if (!others.empty() && best.error().what == "The camera is not plugged in.")
+      return Error{ErrorCode::Missing,
+                   "The camera with this serial number is not plugged in; found: " + others + ".",
+                   serial_};
+    return best;
+  }
+
+  CameraId id() const override { return {"gphoto2", model_, serial_, port_}; }
+
+  Result<std::vector<CameraSetting>> settings() override {
+    std::vector<CameraSetting> all;
+    for (const auto& [name, keys] : keysOf()) {
+      const Result<CameraSetting> setting = read(name);
+      if (setting)
+        all.push_back(*setting);
+      else if (setting.error().code == ErrorCode::Missing)
+        return setting.error();
+    }
+    return all;
+  }
+
+  Result<CameraSetting> set(const std::string& name, const std::string& value) override {
+    const Result<CameraSetting> before = read(name);
+    if (!before) return before;
+    if (before->value == value) return before;
+    const auto& choices = before->choices;
+    if (before->read_only ||
+        (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end()))
+      return Error{ErrorCode::UnusableInput,
+                   "The camera does not offer " + value + " for " + name + "; it is set to " +
+                       before->value + ".",
+                   serial_};
+    const std::string key = keyOf(name);
+    if (Result<void> r = write(key, value); !r) return r.error();
+    changed_.insert({key, before->value});  // the first value is what is restored
+    const Result<CameraSetting> after = read(name);
+    if (after && after->value != value)
+      return Error{ErrorCode::UnusableInput,
+                   "The camera keeps " + name + " at " + after->value + " instead of " + value +
+                       "; check its mode dial.",
+                   serial_};
+    return after;
+  }
+
+  Result<std::string> preview(std::stop_token stop) override {
+    if (camera_ == nullptr) return notOpen();
+    int code = GP_OK;
+    for (int k = 0; k < kPreviewTries && !stop.stop_requested(); ++k) {
+      ::CameraFile* made = nullptr;
+      gp_file_new(&made);
+      const std::unique_ptr<::CameraFile, FileDeleter> file(made);
+      code = gp_camera_capture_preview(camera_, file.get(), context_.get());
+      if (code >= GP_OK) return bytesOf(file.get());
+      if (code != GP_ERROR_CAMERA_BUSY) break;
+      if (!clock_->sleep(0.1, stop)) break;
+    }
+    if (stop.stop_requested()) return Error::cancelled();
+    if (code == GP_ERROR_NOT_SUPPORTED)
+      return Error{ErrorCode::Missing, "This camera has no live view.", serial_};
+    return gphotoTrouble(code, serial_);
+  }
+
+  Result<void> getReady(std::stop_token stop) override {
+    if (camera_ == nullptr) return notOpen();
+    const double deadline_s = clock_->now_s() + kBusy_s;
+    for (double quiet_s = clock_->now_s(); clock_->now_s() - quiet_s < kDrain_s;) {
+      if (stop.stop_requested()) return Error::cancelled();
+      const Result<Event> event = next();
+      if (!event) return event.error();
+      if (event->file) {
+        (void)download(*event->file);  // some cameras block until it is fetched
+        quiet_s = clock_->now_s();
+      }
+      if (clock_->now_s() > deadline_s)
+        return Error{ErrorCode::Missing, "The camera does not stop sending photographs.", serial_};
+    }
+    return {};
+  }
+
+  Result<void> trigger() override {
+    if (camera_ == nullptr) return notOpen();
+    const double deadline_s = clock_->now_s() + kBusy_s;
+    while (true) {
+      const int code = gp_camera_trigger_capture(camera_, context_.get());
+      if (code >= GP_OK) return {};
+      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
+        return gphotoTrouble(code, serial_);
+      (void)next();
+      clock_->sleep(0.1, {});
+    }
+  }
+
+  Result<std::vector<CameraFile>> fetch(double timeout_s, std::stop_token stop) override {
+    if (camera_ == nullptr) return notOpen();
+    std::vector<CameraFile> files;
+    double deadline_s = clock_->now_s() + timeout_s;
+    while (clock_->now_s() < deadline_s) {
+      if (stop.stop_requested()) return Error::cancelled();
+      const Result<Event> event = next();
+      if (!event) return event.error();
+      if (!event->file) continue;
+      Result<CameraFile> file = download(*event->file);
+      if (!file) return file.error();
+      files.push_back(std::move(*file));
+      if (!two_files_ || files.size() == 2) return files;
+      deadline_s = clock_->now_s() + kMoreFiles_s;
+    }
+    if (files.empty())
+      return Error{ErrorCode::Missing,
+                   "The camera sent no photograph; check that it is focused and set to manual.",
+                   serial_};
+    return files;
+  }
+
+  Result<void> reopen(std::stop_token stop) override {
+    {
+      const std::lock_guard lock(gphotoLock());
+      letGo();
+    }
+    const double deadline_s = clock_->now_s() + 5;  // cameras take seconds to start
+    while (true) {
+      const Result<void> opened = open();
+      if (opened || clock_->now_s() > deadline_s) return opened;
+      if (!clock_->sleep(0.5, stop)) return Error::cancelled();
+    }
+  }
+
+  Result<void> close() override {
+    if (camera_ == nullptr) return {};
+    Result<void> restored;
+    for (const auto& [key, value] : changed_)
+      if (Result<void> r = write(key, value); !r) restored = r;
+    changed_.clear();
+    const std::lock_guard lock(gphotoLock());
+    letGo();
+    return restored;
+  }
+
+ private:
+  struct OnCamera {
+    std::string folder, name;
+  };
+  struct Event {
+    std::optional<OnCamera> file;
+  };
+
+  Error notOpen() const { return {ErrorCode::Missing, "The camera is not plugged in.", serial_}; }
+
+  // Under the library's lock.
+  void letGo() {
+    if (camera_ == nullptr) return;
+    const KeepDescriptorZero keep;
+    gp_camera_exit(camera_, context_.get());
+    gp_camera_unref(camera_);
+    camera_ = nullptr;
+  }
+
+  // Under the library's lock.
+  Result<void> openAt(const GphotoPort& seen) {
+    std::signal(SIGPIPE, SIG_IGN);  // a camera that leaves the network would end the program
+    CameraAbilitiesList* abilities = nullptr;
+    GPPortInfoList* ports = nullptr;
+    gp_abilities_list_new(&abilities);
+    gp_port_info_list_new(&ports);
+    gp_abilities_list_load(abilities, context_.get());
+    gp_port_info_list_load(ports);
+    int code = gp_camera_new(&camera_);
+    const int model = gp_abilities_list_lookup_model(abilities, seen.model.c_str());
+    CameraAbilities about{};
+    if (code >= GP_OK) code = model;
+    if (code >= GP_OK) code = gp_abilities_list_get_abilities(abilities, model, &about);
+    if (code >= GP_OK) code = gp_camera_set_abilities(camera_, about);
+    if (code >= GP_OK) {
+      const int port = gp_port_info_list_lookup_path(ports, seen.port.c_str());
+      GPPortInfo info = nullptr;
+      code = port;
+      if (code >= GP_OK) code = gp_port_info_list_get_info(ports, port, &info);
+      if (code >= GP_OK) code = gp_camera_set_port_info(camera_, info);
+      if (code >= GP_OK) code = gp_camera_init(camera_, context_.get());
+    }
+    gp_abilities_list_free(abilities);
+    gp_port_info_list_free(ports);
+    if (code < GP_OK) {
+      const KeepDescriptorZero keep;
+      if (camera_ != nullptr) gp_camera_unref(camera_);
+      camera_ = nullptr;
+      return gphotoTrouble(code, seen.model + " at " + seen.port);
+    }
+    model_ = seen.model;
+    port_ = seen.port;
+    const std::string format = lowerCase(text("imageformat") + text("imagequality"));
+    two_files_ = format.find("raw") != std::string::npos &&
+                 (format.find('+') != std::string::npos || format.find("jp") != std::string::npos);
+    return {};
+  }
+
+  Widget widget(const std::string& key) const {
+    CameraWidget* found = nullptr;
+    if (camera_ == nullptr ||
+        gp_camera_get_single_config(camera_, key.c_str(), &found, context_.get()) < GP_OK)
+      return nullptr;
+    return Widget(found);
+  }
+
+  static std::string valueOf(CameraWidget* widget) {
+    CameraWidgetType type{};
+    gp_widget_get_type(widget, &type);
+    if (type != GP_WIDGET_RADIO && type != GP_WIDGET_MENU && type != GP_WIDGET_TEXT) return {};
+    const char* value = nullptr;
+    gp_widget_get_value(widget, &value);
+    return value == nullptr ? "" : value;
+  }
+  std::string text(const std::string& key) const {
+    const Widget found = widget(key);
+    return found ? valueOf(found.get()) : std::string();
+  }
+
+  std::string keyOf(const std::string& name) const {
+    const auto known = keysOf().find(name);
+    if (known == keysOf().end()) return name;
+    for (const std::string& key : known->second)
+      if (widget(key)) return key;
+    return {};
+  }
+
+  Result<CameraSetting> read(const std::string& name) const {
+    if (camera_ == nullptr) return notOpen();
+    const std::string key = keyOf(name);
+    const Widget found = key.empty() ? nullptr : widget(key);
+    if (!found)
+      return Error{ErrorCode::UnusableInput, "The camera has no setting " + name + ".", serial_};
+    CameraSetting setting{name, valueOf(found.get()), {}, false};
+    int read_only = 0;
+    gp_widget_get_readonly(found.get(), &read_only);
+    setting.read_only = read_only != 0;
+    CameraWidgetType type{};
+    gp_widget_get_type(found.get(), &type);
+    if (type == GP_WIDGET_RADIO || type == GP_WIDGET_MENU)
+      for (int i = 0; i < gp_widget_count_choices(found.get()); ++i) {
+        const char* choice = nullptr;
+        if (gp_widget_get_choice(found.get(), i, &choice) >= GP_OK && choice != nullptr)
+          setting.choices.emplace_back(choice);
+      }
+    return setting;
+  }
+
+  Result<void> write(const std::string& key, const std::string& value) {
+    const Widget found = widget(key);
+    if (!found)
+      return Error{ErrorCode::UnusableInput, "The camera has no setting " + key + ".", serial_};
+    gp_widget_set_value(found.get(), value.c_str());
+    const double deadline_s = clock_->now_s() + kBusy_s;
+    while (true) {
+      const int code =
+          gp_camera_set_single_config(camera_, key.c_str(), found.get(), context_.get());
+      if (code >= GP_OK) return {};
+      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
+        return gphotoTrouble(code, serial_);
+      clock_->sleep(0.1, {});
+    }
+  }
+
+  // Waits shortly; many events say nothing about files.
+  Result<Event> next() {
+    CameraEventType type = GP_EVENT_UNKNOWN;
+    void* details = nullptr;
+    const int code = gp_camera_wait_for_event(camera_, 50, &type, &details, context_.get());
+    Event event;
+    if (code >= GP_OK && type == GP_EVENT_FILE_ADDED && details != nullptr) {
+      const auto* path = static_cast<const CameraFilePath*>(details);
+      event.file = OnCamera{path->folder, path->name};
+    }
+    std::free(details);
+    if (code == GP_ERROR_CAMERA_BUSY || code == GP_ERROR_TIMEOUT || type == GP_EVENT_TIMEOUT)
+      clock_->sleep(kPause_s, {});
+    if (code < GP_OK && code != GP_ERROR_CAMERA_BUSY && code != GP_ERROR_TIMEOUT)
+      return gphotoTrouble(code, serial_);
+    return event;
+  }
+
+  static std::string bytesOf(::CameraFile* file) {
+    const char* data = nullptr;
+    unsigned long size = 0;
+    if (gp_file_get_data_and_size(file, &data, &size) < GP_OK || data == nullptr) return {};
+    return {data, size};
+  }
+
+  Result<CameraFile> download(const OnCamera& place) {
+    const double deadline_s = clock_->now_s() + kBusy_s;
+    while (true) {
+      ::CameraFile* made = nullptr;
+      gp_file_new(&made);
+      const std::unique_ptr<::CameraFile, FileDeleter> file(made);
+      const int code = gp_camera_file_get(camera_, place.folder.c_str(), place.name.c_str(),
+                                          GP_FILE_TYPE_NORMAL, file.get(), context_.get());
+      if (code >= GP_OK) return CameraFile{place.name, bytesOf(file.get())};
+      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
+        return gphotoTrouble(code, serial_);
+      clock_->sleep(0.1, {});
+    }
+  }
+
+  std::string serial_;
+  std::shared_ptr<Clock> clock_;
+  Context context_;
+  ::Camera* camera_ = nullptr;
+  std::string model_, port_;
+  bool two_files_ = false;
+  std::map<std::string, std::string> changed_;  // widget and its value before
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Camera>> openGphotoCamera(const std::string& serial,
+                                                 std::shared_ptr<Clock> clock) {
+  auto camera = std::make_unique<GphotoCamera>(serial, std::move(clock));
+  if (const Result<void> opened = camera->open(); !opened) return opened.error();
+  return std::unique_ptr<Camera>(std::move(camera));
+}
+
+}  // namespace ostraka::capture

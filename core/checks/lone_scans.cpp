@@ -1,0 +1,42 @@
+#include "checks/lone_scans.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "scan/footprint.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+// Sherds that lean on each other hide a strip; both sides of a sherd show nearly the same outline.
+constexpr double kLess = 0.10, kMore = 0.05;
+
+}  // namespace
+
+std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone,
+                                         std::span<const scan::Scan* const> others) {
+  std::vector<double> areas;
+  for (const scan::Scan* other : others) areas.push_back(scan::areaFromAbove_mm2(other->cloud));
+  std::vector<std::string> words;
+  for (const scan::Scan* scan : lone) {
+    const double area = scan::areaFromAbove_mm2(scan->cloud);
+    double least = 1;
+    std::optional<std::pair<std::size_t, std::size_t>> best;
+    for (std::size_t i = 0; i < others.size(); ++i)
+      for (std::size_t j = i + 1; j < others.size(); ++j) {
+        const double off = area / (areas[i] + areas[j]) - 1;
+        if (off < -kLess || off > kMore || std::abs(off) >= least) continue;
+        least = std::abs(off);
+        best = {i, j};
+      }
+    if (best)
+      words.push_back(
+          scan->id + " may be two sherds that touch, " + others[best->first]->id + " and " +
+          others[best->second]->id +
+          " of the other side: split it in the review, or move them apart and reshoot its side.");
+  }
+  return words;
+}
+
+}  // namespace ostraka::pipeline

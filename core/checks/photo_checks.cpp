@@ -1,0 +1,159 @@
+#include "checks/photo_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <set>
+
+#include "base/parallel.h"
+#include "batch/photograph.h"
+#include "rig/edge_width.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+struct Look {
+  double edge_px = 0;     ///< 0: too few edges to say
+  std::vector<int> seen;  ///< ids of the markers with edges
+};
+
+// How much lighter it is outside of a marker's edges than inside: the median of twelve places.
+// Cloth and shadows have edges of their own, but not these.
+double stepAcross(const cv::Mat1b& soft, const std::array<Eigen::Vector2d, 4>& corners) {
+  std::vector<double> steps;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Eigen::Vector2d a = corners[c], along = corners[(c + 1) % 4] - a;
+    const Eigen::Vector2d out = Eigen::Vector2d(along.y(), -along.x()) / 10;  // within the margin
+    for (const double t : {0.3, 0.5, 0.7}) {
+      std::array<double, 2> values{};
+      for (const int side : {0, 1}) {
+        const Eigen::Vector2d p = a + t * along + (side == 1 ? out : Eigen::Vector2d(-out));
+        const cv::Point pixel(cvRound(p.x()), cvRound(p.y()));
+        if (!cv::Rect({0, 0}, soft.size()).contains(pixel)) return 0;
+        values[static_cast<std::size_t>(side)] = soft(pixel);
+      }
+      steps.push_back(values[1] - values[0]);
+    }
+  }
+  std::nth_element(steps.begin(), steps.begin() + 6, steps.end());
+  return steps[6];
+}
+
+Result<Look> lookAt(const rig::PosedImage& image, const batch::Plate& plate,
+                    const PhotoCheckOptions& options) {
+  const Result<cv::Mat> photograph = batch::readPhotograph(image.file);
+  if (!photograph) return photograph.error();
+  cv::Mat1b grey;
+  cv::cvtColor(*photograph, grey, cv::COLOR_BGR2GRAY);
+  cv::Mat1b soft;
+  cv::blur(grey, soft, {3, 3});
+  Look look;
+  std::vector<double> widths;
+  for (const batch::Marker& marker : plate.markers) {
+    std::array<Eigen::Vector2d, 4> corners;
+    for (std::size_t c = 0; c < 4; ++c) corners[c] = image.project(marker.corners[c]);
+    if (stepAcross(soft, corners) < options.least_step) continue;
+    const std::vector<double> found = rig::edgeWidths(grey, corners);
+    look.seen.push_back(marker.id);
+    widths.insert(widths.end(), found.begin(), found.end());
+  }
+  look.edge_px = rig::typicalWidth(std::move(widths));
+  return look;
+}
+
+std::string blurWarning(const std::string& file, double edge_px, double sharpest_px,
+                        bool left_out) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                ": The photograph is blurred: its edges are %.1f pixels wide, those of the "
+                "camera's sharpest %.1f; %sretake it.",
+                edge_px, sharpest_px, left_out ? "it is left out, " : "");
+  return file + text;
+}
+
+// Nothing is left out: they are all there is.
+std::string allBlurredWarning(batch::Side side, double edge_px) {
+  char text[250];
+  std::snprintf(text, sizeof text,
+                "All photographs of the %s side are blurred: even in the sharpest, the markers' "
+                "edges are %.0f pixels wide, so its scans are coarse. Check focus and shutter "
+                "speed, and reshoot this side.",
+                batch::name(side), edge_px);
+  return text;
+}
+
+std::string coverWarning(batch::Side side, const std::vector<int>& covered, std::size_t markers) {
+  std::string ids;
+  for (const int id : covered) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
+  return std::to_string(covered.size()) + " of the plate's " + std::to_string(markers) +
+         " markers are visible in no photograph of the " + batch::name(side) + " side (" + ids +
+         "); camera poses rely on the others, so uncover these.";
+}
+
+}  // namespace
+
+Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
+                                       const batch::Plate& plate, const PhotoCheckOptions& options,
+                                       std::stop_token stop) {
+  std::vector<std::optional<Result<Look>>> looks(images.size());
+  parallelFor(images.size(), options.threads, [&](std::size_t i) {
+    if (!stop.stop_requested()) looks[i] = lookAt(images[i], plate, options);
+  });
+  if (stop.stop_requested()) return Error::cancelled();
+  for (const auto& look : looks)
+    if (!*look) return look->error();
+
+  std::map<int, double> sharpest;  // by camera; its focus is the same on both sides
+  const auto cameraOf = [&](std::size_t i) { return options.one_camera ? 0 : images[i].camera; };
+  std::map<batch::Side, std::set<int>> seen;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Look& look = **looks[i];
+    seen[images[i].side].insert(look.seen.begin(), look.seen.end());
+    double& best = sharpest[cameraOf(i)];
+    if (look.edge_px > 0) best = best > 0 ? std::min(best, look.edge_px) : look.edge_px;
+  }
+  std::vector<std::size_t> blurred;
+  std::map<batch::Side, double> shares;  // of the side's photographs that are blurred
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const double width = (*looks[i])->edge_px, best = sharpest[cameraOf(i)];
+    if (width <= options.most_edge_growth * best || width <= best + options.wide_edge_px) continue;
+    blurred.push_back(i);
+    shares[images[i].side] += 1;
+  }
+  for (auto& [side, share] : shares)
+    share /= static_cast<double>(
+        std::count_if(images.begin(), images.end(),
+                      [&, of = side](const rig::PosedImage& image) { return image.side == of; }));
+  PhotoFindings findings;
+  std::map<batch::Side, double> sharpest_used;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const rig::Intrinsics& whole = images[i].intrinsics;
+    const double used =
+        (*looks[i])->edge_px * rig::reducedTo(whole, options.megapixels).width / whole.width;
+    double& best = sharpest_used[images[i].side];
+    if (used > 0) best = best > 0 ? std::min(best, used) : used;
+  }
+  for (const auto& [side, edge_px] : sharpest_used)
+    if (edge_px > options.widest_sharp_px)
+      findings.warnings.push_back(allBlurredWarning(side, edge_px));
+  for (const std::size_t i : blurred) {
+    const bool left_out = shares[images[i].side] <= options.most_left_out;
+    findings.warnings.push_back(
+        blurWarning(images[i].file, (*looks[i])->edge_px, sharpest[cameraOf(i)], left_out));
+    if (left_out) findings.spoilt.push_back(i);
+  }
+  for (const auto& [side, ids] : seen) {
+    std::vector<int> covered;
+    for (const batch::Marker& marker : plate.markers)
+      if (!ids.contains(marker.id)) covered.push_back(marker.id);
+    const auto markers = static_cast<double>(plate.markers.size());
+    if (static_cast<double>(covered.size()) > options.most_covered * markers)
+      findings.warnings.push_back(coverWarning(side, covered, plate.markers.size()));
+  }
+  return findings;
+}
+
+}  // namespace ostraka::pipeline

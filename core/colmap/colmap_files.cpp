@@ -1,0 +1,135 @@
+#include "colmap/colmap_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "colmap/colmap_format.h"
+
+namespace ostraka::rig {
+namespace {
+
+struct CameraModel {
+  const char* name;
+  int parameters;
+};
+
+// In the order of COLMAP's numbers.
+constexpr std::array<CameraModel, 11> kModels{{{"SIMPLE_PINHOLE", 3},
+                                               {"PINHOLE", 4},
+                                               {"SIMPLE_RADIAL", 4},
+                                               {"RADIAL", 5},
+                                               {"OPENCV", 8},
+                                               {"OPENCV_FISHEYE", 8},
+                                               {"FULL_OPENCV", 12},
+                                               {"FOV", 5},
+                                               {"SIMPLE_RADIAL_FISHEYE", 4},
+                                               {"RADIAL_FISHEYE", 5},
+                                               {"THIN_PRISM_FISHEYE", 12}}};
+
+constexpr double kCentre = 0.5;  // of a pixel in COLMAP's convention; in ours 0
+
+bool valid(const Intrinsics& i) {
+  return i.width > 0 && i.height > 0 && i.width <= 100'000 && i.height <= 100'000 &&
+         std::isfinite(i.fx + i.fy + i.cx + i.cy) && i.fx > 0 && i.fy > 0;
+}
+
+}  // namespace
+
+int colmapParameterCount(int model) {
+  return model < 0 || model >= static_cast<int>(kModels.size()) ? 0 : kModels[model].parameters;
+}
+
+const char* colmapModelName(int model) {
+  return colmapParameterCount(model) == 0 ? "" : kModels[model].name;
+}
+
+int colmapModelNumber(const std::string& name) {
+  for (int k = 0; k < static_cast<int>(kModels.size()); ++k)
+    if (name == kModels[k].name) return k;
+  return -1;
+}
+
+ColmapCamera toColmap(const Intrinsics& i, std::uint32_t id) {
+  ColmapCamera camera;
+  camera.id = id;
+  camera.width = static_cast<std::uint64_t>(i.width);
+  camera.height = static_cast<std::uint64_t>(i.height);
+  camera.parameters = {i.fx, i.fy, i.cx + kCentre, i.cy + kCentre};
+  camera.model = 1;
+  if (!i.hasDistortion()) return camera;
+  const std::array<double, 5>& d = i.distortion;
+  camera.parameters.insert(camera.parameters.end(), {d[0], d[1], d[2], d[3]});
+  camera.model = 4;
+  if (d[4] == 0) return camera;
+  camera.parameters.insert(camera.parameters.end(), {d[4], 0, 0, 0});
+  camera.model = 6;
+  return camera;
+}
+
+Result<Intrinsics> fromColmap(const ColmapCamera& camera) {
+  const std::vector<double>& p = camera.parameters;
+  const auto unusable = [&] {
+    return Error{ErrorCode::UnusableInput,
+                 "COLMAP's camera " + std::to_string(camera.id) + " has the model '" +
+                     colmapModelName(camera.model) +
+                     "' or values that Ostraka does not support; use OPENCV instead.",
+                 {}};
+  };
+  if (colmapParameterCount(camera.model) == 0 ||
+      p.size() != static_cast<std::size_t>(colmapParameterCount(camera.model)) ||
+      camera.width > 100'000 || camera.height > 100'000)
+    return unusable();
+  Intrinsics i;
+  i.width = static_cast<int>(camera.width);
+  i.height = static_cast<int>(camera.height);
+  const bool one_focal = camera.model == 0 || camera.model == 2 || camera.model == 3;
+  i.fx = p[0];
+  i.fy = one_focal ? p[0] : p[1];
+  i.cx = p[one_focal ? 1 : 2] - kCentre;
+  i.cy = p[one_focal ? 2 : 3] - kCentre;
+  if (camera.model == 2)
+    i.distortion[0] = p[3];
+  else if (camera.model == 3)
+    i.distortion = {p[3], p[4], 0, 0, 0};
+  else if (camera.model == 4)
+    i.distortion = {p[4], p[5], p[6], p[7], 0};
+  else if (camera.model == 6 && p[9] == 0 && p[10] == 0 && p[11] == 0)
+    i.distortion = {p[4], p[5], p[6], p[7], p[8]};
+  else if (camera.model > 1)
+    return unusable();
+  if (!valid(i)) return unusable();
+  return i;
+}
+
+ColmapModel toColmap(const std::vector<PosedImage>& images, const std::vector<std::string>& names) {
+  ColmapModel model;
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const auto id = static_cast<std::uint32_t>(k + 1);
+    model.cameras.push_back(toColmap(images[k].intrinsics, id));
+    model.images.push_back({id, id, images[k].camera_from_plate, names[k], {}});
+  }
+  return model;
+}
+
+Result<std::vector<PosedImage>> fromColmap(const ColmapModel& model) {
+  std::vector<PosedImage> images;
+  for (const ColmapImage& one : model.images) {
+    const auto camera = std::find_if(model.cameras.begin(), model.cameras.end(),
+                                     [&](const ColmapCamera& c) { return c.id == one.camera; });
+    if (camera == model.cameras.end())
+      return Error{ErrorCode::UnusableInput,
+                   "COLMAP's model has no camera for the image '" + one.name + "'.",
+                   {}};
+    const Result<Intrinsics> intrinsics = fromColmap(*camera);
+    if (!intrinsics) return intrinsics.error();
+    PosedImage image;
+    image.file = one.name;
+    image.intrinsics = *intrinsics;
+    image.camera_from_plate = one.camera_from_world;
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+}  // namespace ostraka::rig

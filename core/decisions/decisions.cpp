@@ -1,0 +1,331 @@
+#include "decisions/decisions.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/text.h"
+#include "decisions/candidate_table.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+constexpr double kSamePose = 1e-9;  // relative: what was written and read again
+
+struct KindName {
+  DecisionKind kind;
+  const char* name;
+};
+constexpr std::array<KindName, 6> kKinds = {{{DecisionKind::Pair, "pair"},
+                                             {DecisionKind::Aside, "aside"},
+                                             {DecisionKind::Reshoot, "reshoot"},
+                                             {DecisionKind::Join, "join"},
+                                             {DecisionKind::Split, "split"},
+                                             {DecisionKind::Withdraw, "withdraw"}}};
+
+const char* nameOf(DecisionKind kind) {
+  for (const KindName& k : kKinds)
+    if (k.kind == kind) return k.name;
+  return "";
+}
+
+std::optional<DecisionKind> kindOf(const std::string& name) {
+  for (const KindName& k : kKinds)
+    if (name == k.name) return k.kind;
+  return {};
+}
+
+fs::path fileIn(const fs::path& output) {
+  return output / "decisions.json";
+}
+
+ordered_json toJson(const Eigen::Vector2d& p) {
+  return {p.x(), p.y()};
+}
+
+Eigen::Vector2d pointFrom(const json& value) {
+  return {numberIn(value.at(0), "place_mm"), numberIn(value.at(1), "place_mm")};
+}
+
+ordered_json toJson(const PairDecision& d) {
+  ordered_json scans = ordered_json::array();
+  for (const ScanRef& scan : d.scans) {
+    scans.push_back(
+        {{"side", batch::name(scan.side)}, {"id", scan.id}, {"place_mm", toJson(scan.place_mm)}});
+    if (!scan.photographs.empty()) scans.back()["photographs"] = scan.photographs;
+  }
+  ordered_json out = {
+      {"number", d.number}, {"replaces", d.replaces}, {"kind", nameOf(d.kind)}, {"at", d.at},
+      {"by", d.by},         {"note", d.note},         {"scans", scans}};
+  if (d.kind == DecisionKind::Pair) {
+    if (d.front_from_back) out["T_front_from_back"] = ostraka::toJson(*d.front_from_back);
+    out["settle"] = d.settle == Settle::AsGiven ? "as_given" : "by_fractures";
+  }
+  if (d.kind == DecisionKind::Split) out["cut_mm"] = {toJson(d.cut_mm[0]), toJson(d.cut_mm[1])};
+  return out;
+}
+
+Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
+  PairDecision d;
+  const std::optional<DecisionKind> kind = kindOf(value.at("kind").get<std::string>());
+  if (!kind)
+    return Error{ErrorCode::UnusableInput,
+                 "A decision is of an unknown kind; a newer version of Ostraka wrote it.", where};
+  d.kind = *kind;
+  d.number = wholeAt(value, "number");
+  d.replaces = value.at("replaces").get<std::vector<int>>();
+  d.at = value.at("at").get<std::string>();
+  d.by = value.at("by").get<std::string>();
+  d.note = value.value("note", "");
+  for (const json& scan : value.at("scans"))
+    d.scans.push_back(
+        {scan.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front,
+         scan.at("id").get<std::string>(), pointFrom(scan.at("place_mm")),
+         scan.value("photographs", "")});
+  if (value.contains("T_front_from_back")) {
+    const Result<Eigen::Isometry3d> pose = isometryFromJson(value["T_front_from_back"], where);
+    if (!pose) return pose.error();
+    d.front_from_back = *pose;
+  }
+  d.settle =
+      value.value("settle", "by_fractures") == "as_given" ? Settle::AsGiven : Settle::ByFractures;
+  if (value.contains("cut_mm"))
+    d.cut_mm = {pointFrom(value["cut_mm"].at(0)), pointFrom(value["cut_mm"].at(1))};
+  return d;
+}
+
+void nameMoments(PairDecision& decision, const Decisions& all) {
+  decision.replaced_at.clear();
+  for (const int number : decision.replaces) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const PairDecision& d) { return d.number == number; });
+    decision.replaced_at.push_back(found == all.end() ? std::string() : found->at);
+  }
+}
+
+bool aboutPartners(DecisionKind kind) {
+  return kind == DecisionKind::Pair || kind == DecisionKind::Aside || kind == DecisionKind::Reshoot;
+}
+
+// By their places alone: what was said about earlier photographs is replaced, too.
+bool shareAScan(const PairDecision& a, const PairDecision& b) {
+  for (const ScanRef& x : a.scans)
+    for (const ScanRef& y : b.scans)
+      if (resolved({x.side, x.id, x.place_mm, {}}, {y}) == 0) return true;
+  return false;
+}
+
+// Both sides of a sherd were taken out of the pairs: what is said of one of them is said of the
+// other, which would be without a partner otherwise.
+void takeAlong(PairDecision& decision, const PairDecision& replaced, const CandidateTable& now) {
+  if (decision.kind == DecisionKind::Pair || replaced.kind == DecisionKind::Pair) return;
+  for (const ScanRef& scan : replaced.scans)
+    if (resolved(scan, scan.side == batch::Side::Front ? now.fronts : now.backs) >= 0 &&
+        std::none_of(decision.scans.begin(), decision.scans.end(),
+                     [&](const ScanRef& other) { return other.side == scan.side; }))
+      decision.scans.push_back(scan);
+}
+
+Result<void> checked(const PairDecision& d) {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (d.by.empty()) return bad("A decision needs the name of the person who makes it.");
+  const std::size_t n = d.scans.size();
+  const auto side = [&](std::size_t i) { return d.scans[i].side; };
+  switch (d.kind) {
+    case DecisionKind::Pair:
+      if (n != 2 || side(0) != batch::Side::Front || side(1) != batch::Side::Back)
+        return bad("A pair needs one front and one back.");
+      break;
+    case DecisionKind::Aside:
+    case DecisionKind::Reshoot:
+      if (n == 0) return bad("Nothing is selected to set aside or reshoot.");
+      break;
+    case DecisionKind::Join:
+      if (n < 2 || side(0) != side(1)) return bad("Fragments to merge must be of one side.");
+      break;
+    case DecisionKind::Split:
+      if (n != 1 || (d.cut_mm[0] - d.cut_mm[1]).norm() < 1)
+        return bad("A split needs one fragment and a line of at least 1 mm.");
+      break;
+    case DecisionKind::Withdraw:
+      if (d.replaces.empty()) return bad("Nothing is selected to withdraw.");
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Decisions followed(const Decisions& all, const fs::path& output) {
+  std::error_code none;
+  const Result<nlohmann::json> report = readJson(output / "report.json");
+  if (!report) return {};
+  if (const auto numbers = report->find("decisions");
+      numbers != report->end() && numbers->is_array()) {
+    Decisions found;
+    for (const PairDecision& d : all)
+      if (std::find(numbers->begin(), numbers->end(), d.number) != numbers->end())
+        found.push_back(d);
+    return found;
+  }
+  const auto computed = fs::last_write_time(output / "report.json", none);
+  const auto decided = fs::last_write_time(output / "decisions.json", none);
+  return none || decided > computed ? Decisions() : standing(all);
+}
+
+bool equivalent(const PairDecision& a, const PairDecision& b) {
+  const bool posed = a.front_from_back.has_value();
+  return a.kind == b.kind && a.settle == b.settle &&
+         (a.kind != DecisionKind::Split || a.cut_mm == b.cut_mm) &&
+         std::equal(a.scans.begin(), a.scans.end(), b.scans.begin(), b.scans.end(),
+                    [](const ScanRef& x, const ScanRef& y) {
+                      return x.side == y.side && x.place_mm == y.place_mm &&
+                             x.photographs == y.photographs;
+                    }) &&
+         posed == b.front_from_back.has_value() &&
+         (!posed || a.front_from_back->isApprox(*b.front_from_back, kSamePose));
+}
+
+bool containedIn(const Decisions& list, const PairDecision& d) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const PairDecision& other) { return equivalent(other, d); });
+}
+
+Decisions changedSince(const Decisions& all, const Decisions& followed) {
+  Decisions changed;
+  const Decisions now = standing(all);
+  for (const PairDecision& d : now)
+    if (!containedIn(followed, d)) changed.push_back(d);
+  for (const PairDecision& d : followed)
+    if (!containedIn(now, d)) changed.push_back(d);
+  return changed;
+}
+
+int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
+  int nearest = -1;
+  double least = kSamePiece_mm;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    if (scans[i].side != ref.side) continue;
+    if (!ref.photographs.empty() && !scans[i].photographs.empty() &&
+        ref.photographs != scans[i].photographs)
+      continue;
+    const double distance = (scans[i].place_mm - ref.place_mm).norm();
+    if (distance < least) least = distance, nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+Decisions standing(const Decisions& all) {
+  const auto indexOf = [&](int number) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].number == number) return static_cast<int>(i);
+    return -1;
+  };
+  std::vector<bool> holds(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool withdrawal = all[i].kind == DecisionKind::Withdraw;
+    holds[i] = !withdrawal;
+    for (const int number : all[i].replaces) {
+      const int j = indexOf(number);
+      if (j < 0) continue;
+      holds[static_cast<std::size_t>(j)] = false;
+      if (!withdrawal) continue;
+      for (const int before : all[static_cast<std::size_t>(j)].replaces)
+        if (const int k = indexOf(before); k >= 0)
+          holds[static_cast<std::size_t>(k)] =
+              all[static_cast<std::size_t>(k)].kind != DecisionKind::Withdraw;
+    }
+  }
+  Decisions kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (holds[i]) kept.push_back(all[i]);
+  return kept;
+}
+
+Result<Decisions> readDecisions(const fs::path& output) {
+  const fs::path file = fileIn(output);
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return Decisions{};
+  const Result<std::string> text = readFile(file);
+  if (!text) return text.error();
+  return parseDecisions(*text, file.string());
+}
+
+Result<Decisions> parseDecisions(std::string_view text, const std::string& where) {
+  const Result<json> value = parseJson(text, where);
+  if (!value) return value.error();
+  Decisions decisions;
+  try {
+    if (wholeAt(*value, "format") > kFormat)
+      return Error{ErrorCode::UnusableInput,
+                   "A newer version of Ostraka wrote these decisions; use that version.", where};
+    for (const json& entry : value->at("decisions")) {
+      Result<PairDecision> decision = decisionFrom(entry, where);
+      if (!decision) return decision.error();
+      if (const Result<void> valid = checked(*decision); !valid)
+        return Error{ErrorCode::UnusableInput,
+                     "Decision " + std::to_string(decision->number) + " cannot be used. " +
+                         valid.error().what + " Correct it, or restore a copy of the file.",
+                     where};
+      decisions.push_back(std::move(*decision));
+    }
+    for (PairDecision& d : decisions) nameMoments(d, decisions);
+  } catch (const json::exception& refused) {
+    return unusableJson(
+        refused, "Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.",
+        where);
+  }
+  return decisions;
+}
+
+ordered_json toJson(const Decisions& decisions) {
+  ordered_json list = ordered_json::array();
+  for (const PairDecision& d : decisions) list.push_back(toJson(d));
+  return list;
+}
+
+Result<PairDecision> appendDecision(const fs::path& output, PairDecision decision) {
+  if (const Result<void> valid = checked(decision); !valid) return valid.error();
+  std::error_code failed;
+  if (!fs::is_directory(output, failed))  // a decision alone would stand in the way of new results
+    return Error{ErrorCode::Missing,
+                 "The results of this batch no longer exist; reprocess it, then decide.",
+                 output.string()};
+  Result<Decisions> decisions = readDecisions(output);
+  if (!decisions) return decisions.error();
+  const Decisions holding = standing(*decisions);
+  if (decision.kind == DecisionKind::Withdraw) {
+    for (const int number : decision.replaces)
+      if (std::none_of(holding.begin(), holding.end(),
+                       [&](const PairDecision& d) { return d.number == number; }))
+        return Error{ErrorCode::UnusableInput, "This decision is no longer in effect.",
+                     fileIn(output).string()};
+  } else {
+    decision.replaces.clear();
+    for (const PairDecision& other : holding)
+      if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
+        decision.replaces.push_back(other.number);
+    const Result<CandidateTable> now = readCandidatesOf(output);
+    for (const PairDecision& other : now ? holding : Decisions())
+      if (std::find(decision.replaces.begin(), decision.replaces.end(), other.number) !=
+          decision.replaces.end())
+        takeAlong(decision, other, *now);
+  }
+  decision.number = decisions->empty() ? 1 : decisions->back().number + 1;
+  decision.at = utcNow();
+  nameMoments(decision, *decisions);
+  decisions->push_back(decision);
+  const Result<void> written = writeJson(
+      fileIn(output), {{"format", kFormat}, {"unit", "mm"}, {"decisions", toJson(*decisions)}});
+  if (!written) return written.error();
+  return decision;
+}
+
+}  // namespace ostraka::pipeline

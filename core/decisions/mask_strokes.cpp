@@ -1,0 +1,186 @@
+#include "decisions/mask_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+#include <set>
+#include <tuple>
+
+#include "batch/moved_batch.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "rig/camera.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* kFormatName = "ostraka-mask-strokes/1";
+constexpr double kMostRadius_px = 4000, kMostPlace_px = 1e5;
+
+fs::path strokesFile(const fs::path& output) {
+  return output / "mask_strokes.json";
+}
+
+ordered_json strokeJson(const MaskStroke& s) {
+  ordered_json path = ordered_json::array();
+  for (const Eigen::Vector2d& p : s.path_px) path.push_back({p.x(), p.y()});
+  ordered_json value = {{"side", batch::name(s.side)},
+                        {"camera", s.camera},
+                        {"stop", s.stop},
+                        {"paint", s.paint == MaskPaint::Sherd ? "sherd" : "plate"},
+                        {"radius_px", s.radius_px},
+                        {"path_px", path},
+                        {"by", s.by},
+                        {"at", s.at}};
+  if (!s.photograph.empty()) value["photograph"] = s.photograph;
+  return value;
+}
+
+bool isUsable(const MaskStroke& s) {
+  const auto near = [](double v) { return std::isfinite(v) && std::abs(v) <= kMostPlace_px; };
+  return s.radius_px > 0 && s.radius_px <= kMostRadius_px && !s.path_px.empty() &&
+         std::all_of(s.path_px.begin(), s.path_px.end(),
+                     [&](const Eigen::Vector2d& p) { return near(p.x()) && near(p.y()); });
+}
+
+MaskStroke strokeFrom(const json& value) {
+  MaskStroke s;
+  s.side = value.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front;
+  s.camera = wholeAt(value, "camera");
+  s.stop = wholeAt(value, "stop");
+  s.paint = value.at("paint").get<std::string>() == "sherd" ? MaskPaint::Sherd : MaskPaint::Plate;
+  s.radius_px = numberAt(value, "radius_px");
+  for (const json& p : value.at("path_px"))
+    s.path_px.emplace_back(numberIn(p.at(0), "path_px"), numberIn(p.at(1), "path_px"));
+  s.by = value.value("by", "");
+  s.at = value.value("at", "");
+  s.photograph = value.value("photograph", "");
+  return s;
+}
+
+}  // namespace
+
+Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
+  std::vector<MaskStroke> strokes;
+  const fs::path file = strokesFile(output);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return strokes;
+  const Result<json> value = readJson(file);
+  if (!value) return value.error();
+  const Error bad{ErrorCode::UnusableInput,
+                  "Not a list of mask strokes; restore an earlier one, or delete it.",
+                  file.string()};
+  try {
+    if (value->at("format") != kFormatName) return bad;
+    for (const json& one : value->at("strokes")) {
+      strokes.push_back(strokeFrom(one));
+      if (!isUsable(strokes.back())) return bad;
+    }
+  } catch (const json::exception& refused) {
+    return unusableJson(refused, bad.what, bad.where);
+  }
+  return strokes;
+}
+
+ordered_json toJson(const std::vector<MaskStroke>& strokes) {
+  ordered_json list = ordered_json::array();
+  for (const MaskStroke& stroke : strokes) list.push_back(strokeJson(stroke));
+  return list;
+}
+
+StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, int camera, int stop,
+                    const std::string& photograph_sha256) {
+  StrokesOn on;
+  for (const MaskStroke& s : strokes) {
+    if (s.side != side || s.camera != camera || s.stop != stop) continue;
+    if (s.photograph.empty() || s.photograph == photograph_sha256)
+      on.holding.push_back(s);
+    else
+      on.taken_again = true;
+  }
+  return on;
+}
+
+std::string photographHash(const fs::path& photograph) {
+  const Result<std::string> bytes = readFile(photograph);
+  return bytes ? sha256(*bytes) : std::string();
+}
+
+Result<void> writeMaskStrokes(const fs::path& output, const std::vector<MaskStroke>& strokes) {
+  return writeJson(strokesFile(output), {{"format", kFormatName}, {"strokes", toJson(strokes)}});
+}
+
+bool masksWantComputing(const fs::path& output) {
+  const Result<std::vector<MaskStroke>> strokes = readMaskStrokes(output);
+  const Result<json> report = readJson(output / "report.json");
+  if (!strokes || !report) return false;
+  std::multiset<std::string> now, followed;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    std::vector<MaskStroke> own = *strokes;
+    std::erase_if(own, [&](const MaskStroke& s) { return s.side != side; });
+    if (!own.empty()) now.insert(sha256(toJson(own).dump()));
+  }
+  for (const json& stage : report->value("stages", json::array()))
+    if (stage.contains("figures") && stage["figures"].contains("strokes_sha256"))
+      followed.insert(stage["figures"]["strokes_sha256"].get<std::string>());
+  return now != followed;
+}
+
+void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke) {
+  if (!isUsable(stroke)) return;
+  std::vector<cv::Point> path;
+  for (const Eigen::Vector2d& p : stroke.path_px) path.emplace_back(cvRound(p.x()), cvRound(p.y()));
+  const int radius = std::max(1, cvRound(stroke.radius_px));
+  cv::Mat1b painted(mask.size(), 0);
+  if (path.size() == 1)
+    cv::circle(painted, path[0], radius, 255, cv::FILLED, cv::LINE_AA);
+  else
+    cv::polylines(painted, path, false, 255, 2 * radius, cv::LINE_AA);
+  // As plain matrices: of two Mat1b std::max would be taken.
+  const cv::Mat brush = painted, others = 255 - painted;
+  cv::Mat whole = mask;
+  if (stroke.paint == MaskPaint::Sherd)
+    cv::max(whole, brush, whole);
+  else
+    cv::min(whole, others, whole);
+}
+
+Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) {
+  const fs::path work = output / "work";
+  const Result<std::vector<rig::PosedImage>> images = rig::readCameras(work / "rig/cameras.json");
+  if (!images) return images.error();
+  std::vector<MaskedPhotograph> all;
+  for (const rig::PosedImage& image : *images) {
+    const fs::path mask =
+        work / (std::string("masks_") + batch::name(image.side)) / maskName(image);
+    std::error_code ignored;
+    if (!fs::exists(mask, ignored)) continue;
+    all.push_back({image.side, image.camera, image.stop, photographNow(image.file, output), mask});
+  }
+  if (all.empty())
+    return Error{ErrorCode::UnusableInput, "This batch has no masks yet; process it first.",
+                 output.string()};
+  std::sort(all.begin(), all.end(), [](const MaskedPhotograph& a, const MaskedPhotograph& b) {
+    return std::tuple(a.side, a.stop, a.camera) < std::tuple(b.side, b.stop, b.camera);
+  });
+  return all;
+}
+
+std::string maskFolder(const fs::path& output, batch::Side side) {
+  const std::string edited = std::string("edited_") + batch::name(side);
+  const Result<std::vector<MaskStroke>> strokes = readMaskStrokes(output);
+  std::error_code ignored;
+  const bool any = strokes && std::any_of(strokes->begin(), strokes->end(),
+                                          [&](const MaskStroke& s) { return s.side == side; });
+  return any && fs::exists(output / "work" / edited / "stage.json", ignored)
+             ? edited
+             : std::string("masks_") + batch::name(side);
+}
+
+}  // namespace ostraka::pipeline

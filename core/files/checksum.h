@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "files/open_folder.h"
+
+namespace ostraka {
+
+/// SHA-256 of bytes that come in pieces.
+class Sha256 {
+ public:
+  Sha256();
+  Sha256(Sha256&&) noexcept;
+  ~Sha256();
+  void add(std::string_view bytes);
+  std::string hexadecimal();  ///< in small letters, once, at the end
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+struct Checksum {
+  std::string sha256;
+  std::int64_t bytes = 0;
+};
+/// Reads a file to its end in pieces of 1 MiB and hands each to `use`. Errors: those of the disk
+/// and of `use`, Cancelled within a piece.
+Result<Checksum> checksumOf(OpenFile& file, const std::stop_token& stop,
+                            const std::function<Result<void>(std::string_view)>& use = {});
+
+}  // namespace ostraka

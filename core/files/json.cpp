@@ -1,0 +1,163 @@
+#include "files/json.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "base/limits.h"
+#include "base/text.h"
+#include "files/files.h"
+#include "files/json_numbers.h"
+#include "files/json_text.h"
+
+namespace ostraka {
+namespace {
+
+// Looks at a text while it is parsed: its depth, and keys that one object has twice, of which
+// nobody could say which one holds.
+template <class Json>
+class Inspection {
+ public:
+  bool operator()(int depth, typename Json::parse_event_t event, const Json& parsed) {
+    if (depth > static_cast<int>(limits::kJsonDepth.most)) too_deep = true;
+    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == Json::parse_event_t::object_end && !keys_.empty()) keys_.pop_back();
+    if (event == Json::parse_event_t::key && !keys_.empty()) {
+      const auto& key = parsed.template get_ref<const std::string&>();
+      if (!keys_.back().insert(key).second) twice = key;
+    }
+    return !too_deep;
+  }
+
+  bool too_deep = false;
+  std::optional<std::string> twice;
+
+ private:
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+};
+
+template <class Json>
+Result<Json> parsed(std::string_view text, const std::string& where) {
+  if (text.size() > limits::kJsonBytes.most)
+    return Error::unusable("The JSON text is larger than 64 MiB.", where);
+  Inspection<Json> inspection;
+  try {
+    Json value = Json::parse(text, [&](int depth, typename Json::parse_event_t event, Json& part) {
+      return inspection(depth, event, part);
+    });
+    if (inspection.too_deep)
+      return Error::unusable("The JSON is nested deeper than 64 levels.", where);
+    if (inspection.twice)
+      return Error::unusable("The JSON contains '" + *inspection.twice +
+                                 "' twice in one object; delete one of the two.",
+                             where);
+    return value;
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    return Error::unusable("Not valid JSON (line " +
+                               std::to_string(1 + std::count(text.begin(), end, '\n')) +
+                               "); correct that line, or copy the file again.",
+                           where);
+  } catch (const nlohmann::json::exception&) {
+    return Error::unusable("The JSON contains a number that is too large; correct it.", where);
+  }
+}
+
+// Without the zeros behind the point that say nothing.
+std::string plain(double value) {
+  std::string text = fixed(value, 6);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most) {
+  throw JsonNumberError("'" + name + "' must be a whole number from " + std::to_string(least) +
+                        " to " + std::to_string(most) + "; correct it.");
+}
+
+void refuseNumber(const std::string& name, double least, double most) {
+  if (least == -kMostNumber && most == kMostNumber)
+    throw JsonNumberError("'" + name + "' must be a number; correct it.");
+  throw JsonNumberError("'" + name + "' must be a number from " + plain(least) + " to " +
+                        plain(most) + "; correct it.");
+}
+
+Error unusableJson(const nlohmann::json::exception& refused, const std::string& otherwise,
+                   const std::string& where) {
+  const auto* number = dynamic_cast<const JsonNumberError*>(&refused);
+  return Error::unusable(number != nullptr ? number->what() : otherwise, where);
+}
+
+Result<nlohmann::json> parseJson(std::string_view text, const std::string& where) {
+  return parsed<nlohmann::json>(text, where);
+}
+
+Result<nlohmann::ordered_json> parseOrderedJson(std::string_view text, const std::string& where) {
+  return parsed<nlohmann::ordered_json>(text, where);
+}
+
+nlohmann::json jsonOrDiscarded(std::string_view text) {
+  Result<nlohmann::json> value = parseJson(text, {});
+  return value ? std::move(*value) : nlohmann::json(nlohmann::json::value_t::discarded);
+}
+
+nlohmann::ordered_json orderedJsonOrDiscarded(std::string_view text) {
+  Result<nlohmann::ordered_json> value = parseOrderedJson(text, {});
+  return value ? std::move(*value)
+               : nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded);
+}
+
+Result<nlohmann::json> readJson(const std::filesystem::path& path) {
+  const Result<std::string> text = readFile(path, limits::kJsonBytes.most);
+  if (!text) return text.error();
+  return parseJson(*text, path.string());
+}
+
+Result<void> writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& value) {
+  return writeFileAtomically(
+      path, value.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (int r = 0; r < 4; ++r) {
+    nlohmann::ordered_json row = nlohmann::ordered_json::array();
+    for (int c = 0; c < 4; ++c) row.push_back(transform.matrix()(r, c));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where) {
+  nlohmann::json flat = nlohmann::json::array();
+  if (value.is_array())
+    for (const nlohmann::json& row : value) {
+      if (row.is_array())
+        flat.insert(flat.end(), row.begin(), row.end());
+      else
+        flat.push_back(row);
+    }
+  if (flat.size() != 16) return Error::unusable("A transform must be a 4x4 matrix.", where);
+  Eigen::Matrix4d matrix;
+  for (int i = 0; i < 16; ++i) {
+    if (!flat[i].is_number())
+      return Error::unusable("A transform contains a value that is not a number.", where);
+    matrix(i / 4, i % 4) = flat[i].get<double>();
+  }
+  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
+  const double skew =
+      (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!matrix.allFinite() || !(skew < 1e-3) || rotation.determinant() < 0 ||
+      (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-6)
+    return Error::unusable("A transform is not rigid.", where);
+  Eigen::Isometry3d transform;
+  transform.matrix() = matrix;
+  return transform;
+}
+
+}  // namespace ostraka

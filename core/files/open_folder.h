@@ -1,0 +1,113 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "files/contained_path.h"
+
+namespace ostraka {
+
+/// A file descriptor that is closed with this object.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd = -1) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~FileDescriptor();
+  int get() const { return fd_; }
+  bool isOpen() const { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+/// A regular file, opened once: what is read of it is of one file, whatever takes its name
+/// meanwhile.
+class OpenFile {
+ public:
+  /// Links on the way are followed: for names that come from a person. Never waits, not for a pipe
+  /// either. Errors: UnusableInput for what is not there, not readable or no regular file.
+  static Result<OpenFile> open(const std::filesystem::path& path);
+  /// The next bytes; 0 at the end.
+  Result<std::size_t> read(std::span<char> piece);
+  std::int64_t bytes() const { return bytes_; }  ///< when it was opened
+  const std::string& name() const { return name_; }
+
+ private:
+  friend class OpenFolder;
+  static Result<OpenFile> of(FileDescriptor file, std::string name);
+  OpenFile(FileDescriptor file, std::string name, std::int64_t bytes)
+      : file_(std::move(file)), name_(std::move(name)), bytes_(bytes) {}
+  FileDescriptor file_;
+  std::string name_;  ///< for errors
+  std::int64_t bytes_;
+};
+
+/// A file that is being written beside its place, under a name of its own; without finish()
+/// nothing stays.
+class NewFile {
+ public:
+  NewFile(NewFile&&) noexcept = default;
+  NewFile& operator=(NewFile&&) = delete;
+  ~NewFile();
+  Result<void> write(std::string_view bytes);
+  /// Syncs it and gives it its name. Error: a file of that name is there.
+  Result<void> finish();
+
+ private:
+  friend class OpenFolder;
+  NewFile(FileDescriptor folder, FileDescriptor file, std::string partial, std::string name,
+          std::string where)
+      : folder_(std::move(folder)),
+        file_(std::move(file)),
+        partial_(std::move(partial)),
+        name_(std::move(name)),
+        where_(std::move(where)) {}
+  Error cannotWrite(int reason) const;
+  FileDescriptor folder_, file_;
+  std::string partial_, name_, where_;
+};
+
+/// A folder, opened once. What lies below it is reached part by part and no link is followed, so
+/// that no path leads out of it, whatever anybody does to the folder meanwhile.
+class OpenFolder {
+ public:
+  /// The folder itself may be reached through links: a person named it.
+  static Result<OpenFolder> open(const std::filesystem::path& folder);
+  /// Errors: UnusableInput for what is not there, a link on the way, or no regular file.
+  Result<OpenFile> read(const ContainedPath& path) const;
+  /// Folders on the way are made. Errors: UnusableInput for a link on the way or a file that is
+  /// there, CannotWrite.
+  Result<NewFile> create(const ContainedPath& path) const;
+  /// Something of this name is there, whatever it is.
+  bool has(const ContainedPath& path) const;
+  struct Entry {
+    std::string path;
+    bool is_regular;  ///< else a link, a pipe, a device
+  };
+  /// Everything below a folder of this one but folders, in the order of the names. Errors: the
+  /// folder is no folder, cannot be read, or is nested deeper than 64.
+  Result<std::vector<Entry>> filesBelow(const ContainedPath& path) const;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  enum class Missing { Refused, Made };
+  OpenFolder(FileDescriptor folder, std::filesystem::path path)
+      : folder_(std::move(folder)), path_(std::move(path)) {}
+  Result<FileDescriptor> folderOf(const ContainedPath& path, std::size_t parts,
+                                  Missing missing) const;
+  std::string named(const ContainedPath& path) const { return (path_ / path.text()).string(); }
+  FileDescriptor folder_;
+  std::filesystem::path path_;
+};
+
+}  // namespace ostraka

@@ -1,0 +1,319 @@
+// What `ostraka process` left, into the catalogue.
+#include "intake/enter_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "batch/batch.h"
+#include "batch/exif.h"
+#include "capture/manifest.h"
+#include "catalogue/kept_models.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/typed_numbers.h"
+#include "cloud/ply.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "intake/read_results.h"
+#include "intake/review_decisions.h"
+#include "intake/same_pieces.h"
+#include "review/review.h"
+#include "store/values.h"
+#include "upkeep/project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool samePose(const std::optional<Eigen::Isometry3d>& a,
+              const std::optional<Eigen::Isometry3d>& b) {
+  if (!a || !b) return !a && !b;
+  return a->matrix().isApprox(b->matrix(), 1e-12);
+}
+
+bool sameWord(const PairDecision& a, const PairDecision& b) {
+  return a.front == b.front && a.back == b.back && a.score == b.score && a.margin == b.margin &&
+         a.ambiguous == b.ambiguous && a.fracture_rms_mm == b.fracture_rms_mm &&
+         a.fracture_overlap == b.fracture_overlap && a.note == b.note &&
+         samePose(a.front_from_back, b.front_from_back);
+}
+
+// What the results say of the batch as a whole, and whether it wants a person.
+enum class BatchItself { Settled, LeftAsItIs };
+
+class Entering {
+ public:
+  Entering(Catalogue& catalogue, BatchRow batch, const Provenance& provenance)
+      : catalogue_(catalogue), batch_(batch), provenance_{{}, "process", provenance.why} {}
+
+  EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
+    scans(read.scans, read.edits);
+    valueOrThrow(followDecisions(catalogue_, valueOrThrow(catalogue_.batch(batch_)).number, out));
+    decide(read);
+    // Before the models: what lies under a number that waited is another record's from here on.
+    entered_.numbers_left = valueOrThrow(giveTypedNumbers(catalogue_, batch_, provenance_));
+    taken_back_ = valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
+    valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
+    for (const ReadSherd& sherd : read.sherds) model(sherd);
+    for (const ReadFile& file : read.files) {
+      FileRecord record = file.record;
+      if (!file.sherd_front.empty()) record.sherd = sherdOf(file.sherd_front, file.sherd_back);
+      valueOrThrow(catalogue_.save(record, provenance_));
+      ++entered_.files;
+    }
+    countOpen();
+    entered_.decided_meanwhile = pipeline::wantsComputing(out);
+    if (then == BatchItself::Settled) settle(read);
+    return entered_;
+  }
+
+ private:
+  void settle(const ReadResults& read) {
+    BatchRecord batch = valueOrThrow(catalogue_.batch(batch_));
+    const bool open = entered_.open > 0 || entered_.decided_meanwhile;
+    batch.state = open || !read.scale_doubts.empty() ? BatchState::Review : BatchState::Done;
+    batch.reprojection_px = read.reprojection_px;
+    batch.scale_error_pct = read.scale_error_pct;
+    batch.scale_doubts = read.scale_doubts;
+    valueOrThrow(catalogue_.saveBatch(batch, provenance_));
+  }
+
+  // Pieces are numbered anew by each computation, in the order of their places; what a person said
+  // about one must stay with it, so it is known by its place.
+  void scans(std::vector<ScanRecord> found, const pipeline::Decisions& edits) {
+    const std::vector<ScanRecord> known = valueOrThrow(catalogue_.scans(batch_));
+    const std::vector<int> same = samePieces(known, found, edits, typedOn(catalogue_, batch_));
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const bool gone = same[i] < 0;
+      if (gone && !known[i].isThere()) continue;
+      ScanRecord scan = known[i];
+      scan.index = -static_cast<int>(scan.row.value);  // out of the way of the others
+      if (gone) {
+        scan.name += "-earlier" + std::to_string(scan.row.value);
+        valueOrThrow(catalogue_.save(scan, provenance_));
+        continue;
+      }
+      ScanRecord& now = found[static_cast<std::size_t>(same[i])];
+      now.row = scan.row;
+      if (now.index != known[i].index)
+        catalogue_.database()
+            .sql("UPDATE scan SET position = ? WHERE row = ?")
+            .with(scan.index, scan.row)
+            .run();
+    }
+    for (const ScanRecord& scan : found) {
+      rows_[scan.name] = valueOrThrow(catalogue_.save(scan, provenance_));
+      ++entered_.scans;
+    }
+  }
+
+  ScanRow scan(const std::string& name) const {
+    const auto found = rows_.find(name);
+    if (found == rows_.end())
+      refuse("The pair table names the scan " + name +
+             ", which is missing; run 'ostraka process' again.");
+    return found->second;
+  }
+
+  void decide(const ReadResults& read) {
+    std::vector<PairDecision> standing;  // the program's words that were not taken back
+    std::map<DecisionRow, bool> withdrawn;
+    const std::vector<PairDecision> all = valueOrThrow(catalogue_.decisions(batch_));
+    for (const PairDecision& d : all)
+      if (!d.by && d.verdict == Verdict::Withdraw) withdrawn[d.replaces] = true;
+    for (const PairDecision& d : all)
+      if (!d.by && d.verdict == Verdict::Accept && !withdrawn.contains(d.row))
+        standing.push_back(d);
+    std::vector<PairDecision> said = read.pairs;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      said[i].front = scan(read.pair_names[i].first);
+      said[i].back = scan(read.pair_names[i].second);
+    }
+    const auto isIn = [](const std::vector<PairDecision>& list, const PairDecision& d) {
+      return std::any_of(list.begin(), list.end(),
+                         [&](const PairDecision& other) { return sameWord(other, d); });
+    };
+    for (const PairDecision& old : standing)
+      if (!isIn(said, old)) {
+        PairDecision back;
+        back.batch = batch_;
+        back.verdict = Verdict::Withdraw;
+        back.replaces = old.row;
+        valueOrThrow(catalogue_.decide(back, provenance_));
+      }
+    const std::size_t before = valueOrThrow(catalogue_.sherdRows(batch_)).size();
+    for (const PairDecision& d : said)
+      if (!isIn(standing, d)) {
+        valueOrThrow(catalogue_.decide(d, provenance_));
+        ++entered_.decisions;
+      }
+    const std::size_t after = valueOrThrow(catalogue_.sherdRows(batch_)).size();
+    entered_.new_sherds = after > before ? static_cast<int>(after - before) : 0;
+    current_ = valueOrThrow(catalogue_.currentDecisions(batch_));
+    for (const PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
+  }
+
+  // The sherd of this pair, if the pair is what counts now, of pieces that still hold.
+  SherdRow sherdOf(const std::string& front, const std::string& back) {
+    const ScanRow f = scan(front), b = scan(back);
+    if (taken_back_.contains(f) || taken_back_.contains(b)) return {};
+    Statement row = catalogue_.database().sql("SELECT row FROM sherd WHERE front = ? AND back = ?");
+    SherdRow sherd;
+    if (row.with(f, b).next()) row >> sherd;
+    return sherd;
+  }
+
+  void model(const ReadSherd& read) {
+    const SherdRow sherd = sherdOf(read.front, read.back);
+    if (!sherd || read.model_path.empty()) return;
+    valueOrThrow(catalogue_.setModel(sherd, read.model_path, read.preview_path));
+    catalogue_.database()
+        .sql(
+            "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
+            "substr(path, 1, length(?)) <> ?")
+        .with(sherd, read.folder, read.folder)
+        .run();
+    ++entered_.models;
+    for (const auto& [kind, value] : read.measures) {
+      setMeasure(catalogue_,
+                 {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256},
+                 provenance_, MeasureRank::PersonFirst);
+      ++entered_.measurements;
+    }
+  }
+
+  // Doubtful pairs, and scans that nobody has paired or set aside; not those that were joined to
+  // others and are no pieces any more.
+  void countOpen() {
+    for (const ScanRecord& scan : valueOrThrow(catalogue_.scans(batch_)))
+      entered_.open += scan.state == ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
+    for (const PairDecision& d : current_)  // a doubtful pair is two open scans, and one question
+      if (d.verdict == Verdict::Accept && !d.by && d.ambiguous) --entered_.open;
+  }
+
+  Catalogue& catalogue_;
+  BatchRow batch_;
+  Provenance provenance_;
+  std::map<std::string, ScanRow> rows_;
+  std::set<ScanRow> taken_back_;  // pieces that nobody wants joined or cut so any more
+  std::vector<PairDecision> current_;
+  EnteredResults entered_;
+};
+
+Result<EnteredResults> entered(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                               const fs::path& out, const Provenance& provenance, BatchItself then,
+                               Progress& progress, std::stop_token stop) {
+  // Models that one entering has kept and not entered yet are in use by nobody for another one.
+  static std::mutex one_by_one;
+  const std::scoped_lock alone(one_by_one);
+  const Result<BatchRecord> record = catalogue.batch(batch);
+  if (!record) return record.error();
+  if (const Result<void> dropped = dropUnusedModels(catalogue, project, record->number); !dropped)
+    return dropped.error();
+  const Result<ReadResults> read =
+      catalogue.database().door([&] { return readResults(project, *record, out, progress, stop); });
+  if (!read) return read.error();
+  return catalogue.database().inTransaction(
+      [&] { return Entering(catalogue, batch, provenance).enter(*read, out, then); });
+}
+
+}  // namespace
+
+Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                                    const fs::path& out, const Provenance& provenance,
+                                    Progress& progress, std::stop_token stop) {
+  return entered(catalogue, project, batch, out, provenance, BatchItself::Settled, progress,
+                 std::move(stop));
+}
+
+Result<bool> enterLostModels(const fs::path& project, const std::string& batch, Progress& progress,
+                             std::stop_token stop) {
+  const fs::path out = project / "results" / batch;
+  std::error_code failed;
+  if (!fs::exists(out / "report.json", failed)) return false;
+  Result<Catalogue> catalogue = Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const Result<BatchRecord> record = catalogue->batchByNumber(batch);
+  if (!record) return record.error();
+  const Result<std::vector<SherdRow>> rows = catalogue->sherdRows(record->row);
+  if (!rows) return rows.error();
+  const Result<std::vector<SherdRecord>> sherds = catalogue->sherds(*rows);
+  if (!sherds) return sherds.error();
+  if (std::none_of(sherds->begin(), sherds->end(), [](const SherdRecord& sherd) {
+        return sherd.front && sherd.back && sherd.model_path.empty();
+      }))
+    return false;
+  // The batch may wait to be computed again, or lie under the cameras: that is not theirs to say.
+  const Result<EnteredResults> again =
+      entered(*catalogue, project, record->row, out, {{}, "process", {}}, BatchItself::LeftAsItIs,
+              progress, std::move(stop));
+  if (!again) return again.error();
+  return again->models > 0;
+}
+
+Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                             const Provenance& provenance, Progress& progress,
+                             std::stop_token stop) {
+  const Result<BatchRecord> record = catalogue.batch(batch);
+  if (!record) return record.error();
+  const Result<batch::Batch> folder =
+      batch::readBatch(project / "batches" / record->number, {}, progress);
+  if (!folder) return folder.error();
+  // What the capture noted; a batch from elsewhere has none.
+  const Result<capture::Manifest> noted =
+      capture::readManifest(project / "batches" / record->number);
+  if (!noted) progress.note(NoteLevel::Warning, noted.error().sentence());
+  struct Photograph {
+    PhotographRecord shot;
+    FileRecord file;
+  };
+  const Result<std::vector<Photograph>> read = catalogue.database().door([&] {
+    std::vector<Photograph> all;
+    for (const batch::Shot& shot : folder->shots) {
+      if (stop.stop_requested()) throw Refused(Error::cancelled());
+      const std::string bytes = valueOrThrow(readFile(shot.file));
+      Photograph p;
+      p.shot.batch = batch;
+      p.shot.side = shot.side;
+      // Of free cameras it is one camera's, photograph after photograph.
+      const bool rig = folder->way == batch::Way::Rig;
+      p.shot.camera = static_cast<char>(rig ? 'A' + shot.camera : 'A');
+      p.shot.stop = rig ? shot.stop : shot.camera;
+      p.shot.path = relativeTo(project, shot.file);
+      const batch::Exif exif = batch::exifIn(bytes);
+      p.shot.exif_json = exif.json();
+      p.shot.serial = exif.serial;
+      const capture::ManifestEntry* entry =
+          noted ? noted->find(shot.side, shot.stop, shot.camera) : nullptr;
+      if (entry) {
+        if (!entry->camera_serial.empty()) p.shot.serial = entry->camera_serial;
+        p.shot.angle_deg = entry->angle_seen_deg.value_or(entry->angle_deg);
+        if (entry->checked) p.shot.sharpness = entry->sharpness;
+      }
+      p.file.path = p.shot.path;
+      p.file.sha256 = sha256(bytes);
+      p.file.bytes = static_cast<std::int64_t>(bytes.size());
+      p.file.media_type = mediaTypeOf(shot.file);
+      p.file.role = "photo";
+      p.file.batch = batch;
+      all.push_back(std::move(p));
+      progress.report(static_cast<std::int64_t>(all.size()),
+                      static_cast<std::int64_t>(folder->shots.size()));
+    }
+    return all;
+  });
+  if (!read) return read.error();
+  return catalogue.database().inTransaction([&] {
+    for (const Photograph& p : *read) {
+      valueOrThrow(catalogue.save(p.shot, provenance));
+      valueOrThrow(catalogue.save(p.file, provenance));
+    }
+    return static_cast<int>(read->size());
+  });
+}
+
+}  // namespace ostraka::catalogue

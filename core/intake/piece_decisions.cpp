@@ -1,0 +1,107 @@
+#include "intake/piece_decisions.h"
+
+#include <nlohmann/json.hpp>
+
+#include "files/json_numbers.h"
+#include "files/json_text.h"
+#include "records/words.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/statement.h"
+
+namespace ostraka::catalogue {
+
+template <>
+struct Words<PieceVerdict> {
+  static constexpr std::array<const char*, 3> all = {"join", "cut", "withdraw"};
+};
+
+namespace {
+
+using nlohmann::json;
+
+json pairOf(const Eigen::Vector2d& point) {
+  return json::array({point.x(), point.y()});
+}
+
+Eigen::Vector2d pointFrom(const json& pair) {
+  return {numberIn(pair.at(0), "place_mm"), numberIn(pair.at(1), "place_mm")};
+}
+
+std::string piecesText(const PieceDecision& d) {
+  json pieces = json::array();
+  for (const NamedPiece& piece : d.pieces)
+    pieces.push_back({{"name", piece.name}, {"place_mm", pairOf(piece.place_mm)}});
+  return pieces.dump();
+}
+
+std::string cutText(const PieceDecision& d) {
+  json cut = json::array();
+  if (d.verdict == PieceVerdict::Cut)
+    for (const Eigen::Vector2d& point : d.cut_mm) cut.push_back(pairOf(point));
+  return cut.dump();
+}
+
+// What this file wrote; a text that was changed from outside leaves the fields empty.
+void readTexts(PieceDecision& d, const std::string& pieces, const std::string& cut) {
+  try {
+    for (const json& piece : jsonOrDiscarded(pieces))
+      d.pieces.push_back({piece.at("name").get<std::string>(), pointFrom(piece.at("place_mm"))});
+    const json line = jsonOrDiscarded(cut);
+    if (line.size() == 2) d.cut_mm = {pointFrom(line[0]), pointFrom(line[1])};
+  } catch (const json::exception&) {
+    d.pieces.clear();
+  }
+}
+
+void check(Database& database, const PieceDecision& d, const Provenance& provenance) {
+  if (!provenance.person) refuse("A decision needs the name of the person who makes it.");
+  if (d.verdict == PieceVerdict::Join && d.pieces.size() < 2)
+    refuse("A merge needs two or more fragments.");
+  if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1)
+    refuse("A split needs exactly one fragment.");
+  if (d.verdict != PieceVerdict::Withdraw) return;
+  Statement row = database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?");
+  if (!row.with(d.replaces, d.batch).next()) refuse("The decision to undo is not in this batch.");
+}
+
+}  // namespace
+
+Result<PieceDecisionRow> decidePieces(Catalogue& catalogue, const PieceDecision& d,
+                                      const Provenance& provenance) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    check(database, d, provenance);
+    database
+        .sql(
+            "INSERT INTO piece_decision (id, at, person, batch, side, verdict, pieces, cut_mm, "
+            "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .with(newId(catalogue.now()), catalogue.now(), provenance.person, d.batch, wordOf(d.side),
+              wordOf(d.verdict), piecesText(d), cutText(d), d.replaces, d.note)
+        .run();
+    return PieceDecisionRow{database.lastRow()};
+  });
+}
+
+Result<std::vector<PieceDecision>> pieceDecisions(const Catalogue& catalogue, BatchRow batch) {
+  return catalogue.database().door([&] {
+    std::vector<PieceDecision> all;
+    Statement rows = catalogue.database().sql(
+        "SELECT row, batch, side, verdict, pieces, cut_mm, person, replaces, note, at FROM "
+        "piece_decision WHERE batch = ? ORDER BY row");
+    rows.with(batch);
+    while (rows.next()) {
+      PieceDecision d;
+      std::string side, verdict, pieces, cut;
+      rows >> d.row >> d.batch >> side >> verdict >> pieces >> cut >> d.by >> d.replaces >>
+          d.note >> d.at_ms;
+      d.side = fromWord<batch::Side>(side);
+      d.verdict = fromWord<PieceVerdict>(verdict);
+      readTexts(d, pieces, cut);
+      all.push_back(std::move(d));
+    }
+    return all;
+  });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "catalogue/photographed_again.h"
+#include "decisions/decisions.h"
+#include "records/sherd.h"
+
+namespace ostraka::catalogue {
+
+/// What becomes of the numbers of two sherds whose fronts are joined; empty: it had none.
+struct JoinedNumbers {
+  std::string kept;  ///< of the joined sherd
+  std::string left;  ///< stays without a piece
+};
+
+/// The sherds of one batch by where their fronts lie on its plate: results may be newer than those
+/// in the catalogue, or older, and number the pieces otherwise.
+class PlateSherds {
+ public:
+  /// None where the catalogue does not know the batch.
+  PlateSherds(const Catalogue& catalogue, const std::string& batch_number);
+
+  /// Whose front lies there; null: no sherd's. Valid as long as this.
+  const SherdRecord* at(const Eigen::Vector2d& place_mm) const;
+
+  /// As what the piece that lies there was photographed again since; null: it was not.
+  const PhotographedAgain* again(const Eigen::Vector2d& place_mm) const;
+
+  /// When the batch is computed with this Join of two fronts. Of a piece that no sherd has the
+  /// number is empty; both are for a join of backs.
+  JoinedNumbers afterJoin(const pipeline::PairDecision& join) const;
+
+ private:
+  int scanAt(const Eigen::Vector2d& place_mm) const;
+  const SherdRecord* ofScan(int scan) const;
+
+  std::vector<ScanRecord> fronts_;  ///< those with a place
+  std::vector<pipeline::ScanRef> places_;
+  std::vector<SherdRecord> sherds_;
+  std::vector<PhotographedAgain> again_;
+};
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,243 @@
+// What `ostraka process` left.
+#include "intake/read_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "catalogue/kept_models.h"
+#include "catalogue/sherd_columns.h"
+#include "cloud/ply.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+#include "store/values.h"
+
+namespace ostraka::catalogue {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string relativeTo(const fs::path& project, const fs::path& file) {
+  const std::string text = fs::absolute(file)
+                               .lexically_normal()
+                               .lexically_relative(fs::absolute(project).lexically_normal())
+                               .generic_string();
+  const Result<std::string> path = checkedPath(text);
+  if (!path) refuse("This file is outside the project's folder.", file.string());
+  return *path;
+}
+
+std::string mediaTypeOf(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".jpg" || ending == ".jpeg") return "image/jpeg";
+  if (ending == ".png") return "image/png";
+  if (ending == ".glb") return "model/gltf-binary";
+  if (ending == ".html") return "text/html";
+  if (ending == ".json") return "application/json";
+  return "application/octet-stream";
+}
+
+namespace {
+
+std::optional<double> numberIn(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) return std::nullopt;
+  const double value = found->get<double>();
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+class Reading {
+ public:
+  Reading(const fs::path& project, const BatchRecord& batch, const fs::path& out,
+          Progress& progress, std::stop_token stop)
+      : project_(project),
+        batch_(batch.row),
+        batch_number_(batch.number),
+        out_(out),
+        progress_(progress),
+        stop_(std::move(stop)) {}
+
+  ReadResults all() {
+    const json pairs = valueOrThrow(readJson(out_ / "pairs.json"));
+    const json report = valueOrThrow(readJson(out_ / "report.json"));
+    try {
+      // Two scans and three files of the model a pair, and the reports: about that many files.
+      total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
+      pairsOf(pairs);
+      scansOf("front");
+      scansOf("back");
+      edits();
+      for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
+      for (const json& stage : report.at("stages"))
+        if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
+      for (const json& doubt : report.value("scale_doubts", json::array()))
+        results_.scale_doubts +=
+            (results_.scale_doubts.empty() ? "" : "\n") + doubt.get<std::string>();
+      if (report.value("draft", false))
+        results_.scale_doubts += (results_.scale_doubts.empty() ? "" : "\n") +
+                                 std::string(
+                                     "This is a draft from reduced photographs; reprocess the "
+                                     "batch for final measurements.");
+    } catch (const json::exception&) {
+      refuse("These results of 'ostraka process' are incomplete; run it again.", out_.string());
+    }
+    for (const char* name : {"report.json", "report.html", "pairs.json"})
+      file(out_ / name, "report", {}, {});
+    return std::move(results_);
+  }
+
+ private:
+  // Of the lengths that took no part in the fit the one that is off most stands for the scale.
+  void camerasOf(const json& figures) {
+    results_.reprojection_px = numberIn(figures, "reprojection_rms_px");
+    for (const char* kind : {"held_out", "known_lengths"})
+      for (const json& length : figures.value(kind, json::array())) {
+        const std::optional<double> error = numberIn(length, "error_pct");
+        if (error && std::abs(*error) >= std::abs(results_.scale_error_pct.value_or(0)))
+          results_.scale_error_pct = error;
+      }
+  }
+
+  void pairsOf(const json& pairs) {
+    for (const json& p : pairs.at("pairs")) {
+      // A person's word counts by its own row, and ends where it is taken back.
+      if (p.contains("decided")) continue;
+      PairDecision d;
+      d.batch = batch_;
+      const auto& pose = p.at("T_front_from_back");
+      d.front_from_back = valueOrThrow(isometryFromJson(pose, (out_ / "pairs.json").string()));
+      d.score = numberIn(p, "score");
+      d.margin = numberIn(p, "margin");
+      d.fracture_rms_mm = numberIn(p, "fracture_rms_mm");
+      d.fracture_overlap = numberIn(p, "fracture_overlap");
+      d.ambiguous = p.at("ambiguous").get<bool>();
+      d.note = p.value("reason", "");
+      results_.pairs.push_back(std::move(d));
+      results_.pair_names.emplace_back(p.at("front").get<std::string>(),
+                                       p.at("back").get<std::string>());
+    }
+  }
+
+  // Those that were paired: where a person joined or cut pieces, they lie in a folder of their own.
+  std::vector<fs::path> scanFiles(const std::string& side) {
+    const fs::path work = out_ / "work", table = work / "pairs" / "candidates.json";
+    std::vector<fs::path> files;
+    std::error_code code;
+    if (fs::exists(table, code)) {
+      const json candidates = valueOrThrow(readJson(table));
+      for (const json& scan : candidates.at(side + "s")) {
+        files.push_back(work / scan.at("file").get<std::string>());
+        photographs_[side] = scan.value("photographs", "");
+      }
+      return files;
+    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(work / ("scans_" + side), code))
+      if (entry.path().extension() == ".ply") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  void scansOf(const std::string& side) {
+    for (const fs::path& path : scanFiles(side)) {
+      stopIfAsked();
+      ScanRecord scan;
+      scan.batch = batch_;
+      scan.side = side == "front" ? batch::Side::Front : batch::Side::Back;
+      scan.name = path.stem().string();
+      scan.index = std::atoi(scan.name.c_str() + 1);
+      scan.path = relativeTo(project_, path);
+      const PointCloud cloud = valueOrThrow(readPlyCloud(path));
+      scan.points = static_cast<int>(cloud.size());
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
+      scan.plate_x_mm = sum.x() / static_cast<double>(cloud.size());
+      scan.plate_y_mm = sum.y() / static_cast<double>(cloud.size());
+      file(path, "scan", {}, {});
+      results_.scans.push_back(std::move(scan));
+    }
+  }
+
+  void edits() {
+    for (pipeline::PairDecision& d : valueOrThrow(pipeline::readDecisions(out_))) {
+      if (d.kind != pipeline::DecisionKind::Join && d.kind != pipeline::DecisionKind::Split)
+        continue;
+      const std::string& seen = d.scans.front().photographs;
+      const std::string& now = photographs_[batch::name(d.scans.front().side)];
+      if (seen.empty() || now.empty() || seen == now) results_.edits.push_back(std::move(d));
+    }
+  }
+
+  void sherdOf(const json& s, bool has_scale) {
+    ReadSherd sherd;
+    sherd.front = s.at("front").get<std::string>();
+    sherd.back = s.at("back").get<std::string>();
+    const json& figures = s.at("figures");
+    if (figures.value("model", false)) {
+      stopIfAsked();
+      const fs::path made =
+          out_ / "sherds" / valueOrThrow(checkedPath(s.at("number").get<std::string>()));
+      sherd.folder = valueOrThrow(keepModel(project_, batch_number_, made)) + "/";
+      sherd.model_path = sherd.folder + "model.ply";
+      sherd.preview_path = sherd.folder + "preview.png";
+      const fs::path folder = project_ / sherd.folder;
+      sherd.model_sha256 = file(folder / "model.ply", "model", sherd.front, sherd.back);
+      file(folder / "model.glb", "model", sherd.front, sherd.back);
+      file(folder / "preview.png", "preview", sherd.front, sherd.back);
+      if (has_scale) {  // without a scale no length is known
+        for (const auto& [name, value] : figures.at("measures").items()) {
+          const SherdColumn* column = sherdColumn(name);
+          if (column && column->measure && value.is_number() && value.get<double>() > 0)
+            sherd.measures[column->measure] = value.get<double>();
+        }
+        sherd.measures["filled_pct"] = 100 * numberAt(figures, "filled_share");
+      }
+    }
+    results_.sherds.push_back(std::move(sherd));
+  }
+
+  std::string file(const fs::path& path, const char* role, const std::string& front,
+                   const std::string& back) {
+    stopIfAsked();
+    std::error_code code;
+    if (!fs::is_regular_file(path, code)) return {};
+    const std::string bytes = valueOrThrow(readFile(path));
+    ReadFile read;
+    read.record.path = relativeTo(project_, path);
+    read.record.sha256 = sha256(bytes);
+    read.record.bytes = static_cast<std::int64_t>(bytes.size());
+    read.record.media_type = mediaTypeOf(path);
+    read.record.role = role;
+    read.record.batch = batch_;
+    read.sherd_front = front;
+    read.sherd_back = back;
+    results_.files.push_back(std::move(read));
+    const auto done = static_cast<std::int64_t>(results_.files.size());
+    progress_.report(done, std::max(done, total_));
+    return results_.files.back().record.sha256;
+  }
+
+  void stopIfAsked() const {
+    if (stop_.stop_requested()) throw Refused(Error::cancelled());
+  }
+
+  const fs::path& project_;
+  BatchRow batch_;
+  std::string batch_number_;
+  const fs::path& out_;
+  Progress& progress_;
+  std::stop_token stop_;
+  ReadResults results_;
+  std::map<std::string, std::string> photographs_;  ///< of each side, where they are known
+  std::int64_t total_ = 1;
+};
+
+}  // namespace
+
+ReadResults readResults(const fs::path& project, const BatchRecord& batch, const fs::path& out,
+                        Progress& progress, std::stop_token stop) {
+  return Reading(project, batch, out, progress, std::move(stop)).all();
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "decisions/decisions.h"
+#include "records/records.h"
+#include "records/sherd.h"
+
+namespace ostraka::catalogue {
+
+struct ReadFile {
+  FileRecord record;
+  std::string sherd_front;  ///< the scan that its sherd is known by; empty: of the batch
+  std::string sherd_back;
+};
+struct ReadSherd {
+  std::string front, back, folder, model_path, preview_path, model_sha256;
+  std::map<std::string, double> measures;
+};
+struct ReadResults {
+  std::vector<ScanRecord> scans;
+  pipeline::Decisions edits;  ///< joins and cuts of these photographs, also those taken back
+  std::vector<PairDecision> pairs;
+  std::vector<std::pair<std::string, std::string>> pair_names;
+  std::vector<ReadSherd> sherds;
+  std::vector<ReadFile> files;
+  std::optional<double> reprojection_px, scale_error_pct;
+  std::string scale_doubts;
+};
+
+/// What a whole OUT of `ostraka process` holds for the catalogue. Everything is read and hashed
+/// before the transaction begins, which must be short; models are kept (keepModel). Throws Refused.
+ReadResults readResults(const std::filesystem::path& project, const BatchRecord& batch,
+                        const std::filesystem::path& out, Progress& progress, std::stop_token stop);
+
+/// Relative to the project with '/', as records hold it; throws Refused outside it.
+std::string relativeTo(const std::filesystem::path& project, const std::filesystem::path& file);
+std::string mediaTypeOf(const std::filesystem::path& file);
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,430 @@
+#include "intake/review_decisions.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/text.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/kept_models.h"
+#include "catalogue/sherd_columns.h"
+#include "decisions/decided_pairs.h"
+#include "intake/edited_pieces.h"
+#include "intake/piece_decisions.h"
+#include "review/review.h"
+#include "store/database.h"
+#include "upkeep/project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+using pipeline::DecisionKind;
+
+// Rows that stand for a decision say its number in the file, so that a withdrawal finds them, and
+// its moment: a file on another computer, or one begun anew, counts from 1 as well.
+std::string markOf(int number, const std::string& at) {
+  return "decision " + std::to_string(number) + (at.empty() ? "" : " of " + at);
+}
+
+std::string marked(const pipeline::PairDecision& d) {
+  return markOf(d.number, d.at) + (d.note.empty() ? "" : ": " + d.note);
+}
+
+bool begins(const std::string& note, const std::string& mark) {
+  return note == mark || note.rfind(mark + ":", 0) == 0;
+}
+
+// An earlier program wrote the number only; a decision is entered after it was taken.
+bool marksEarlierWay(const std::string& note, std::int64_t entered_ms, int number,
+                     const std::string& at) {
+  return begins(note, markOf(number, {})) && (at.empty() || utcDay(entered_ms) >= at.substr(0, 10));
+}
+
+// The rows of this decision, of pairs or of pieces, that were not taken back.
+template <class Row>
+std::vector<Row> rowsOf(const std::vector<Row>& all, int number, const std::string& at) {
+  using Kind = decltype(Row::verdict);
+  std::vector<Row> exactly, earlier_way;
+  for (const Row& row : all) {
+    if (!row.by || row.verdict == Kind::Withdraw) continue;
+    if (begins(row.note, markOf(number, at)))
+      exactly.push_back(row);
+    else if (marksEarlierWay(row.note, row.at_ms, number, at))
+      earlier_way.push_back(row);
+  }
+  std::vector<Row>& rows = exactly.empty() ? earlier_way : exactly;
+  std::erase_if(rows, [&](const Row& row) {
+    return std::any_of(all.begin(), all.end(), [&](const Row& other) {
+      return other.verdict == Kind::Withdraw && other.replaces == row.row;
+    });
+  });
+  return rows;
+}
+
+template <class Row>
+Row takenBack(const Row& earlier, const std::string& note) {
+  Row back = earlier;
+  back.row = {};
+  back.verdict = decltype(back.verdict)::Withdraw;
+  back.replaces = earlier.row;
+  back.note = note;
+  return back;
+}
+
+Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::PairDecision& decision,
+                      const Provenance& provenance) {
+  const auto all = catalogue.decisions(batch);
+  if (!all) return all.error();
+  const auto pieces = pieceDecisions(catalogue, batch);
+  if (!pieces) return pieces.error();
+  for (std::size_t i = 0; i < decision.replaces.size(); ++i) {
+    const int number = decision.replaces[i];
+    const std::string at =
+        i < decision.replaced_at.size() ? decision.replaced_at[i] : std::string();
+    for (const PairDecision& row : rowsOf(*all, number, at))
+      if (const auto done = catalogue.decide(takenBack(row, marked(decision)), provenance); !done)
+        return done.error();
+    for (const PieceDecision& row : rowsOf(*pieces, number, at))
+      if (const auto done = decidePieces(catalogue, takenBack(row, marked(decision)), provenance);
+          !done)
+        return done.error();
+  }
+  return {};
+}
+
+// By its place, as the results are; by its name where no place is known.
+const ScanRecord* scanOf(const std::vector<ScanRecord>& scans, const pipeline::ScanRef& ref) {
+  std::vector<const ScanRecord*> there;
+  std::vector<pipeline::ScanRef> places;
+  for (const ScanRecord& scan : scans) {
+    if (!scan.isThere() || !scan.plate_x_mm || !scan.plate_y_mm) continue;
+    there.push_back(&scan);
+    places.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
+  }
+  if (const int nearest = resolved(ref, places); nearest >= 0)
+    return there[static_cast<std::size_t>(nearest)];
+  const auto named = std::find_if(scans.begin(), scans.end(), [&](const ScanRecord& s) {
+    return s.side == ref.side && s.name == ref.id && !(s.plate_x_mm && s.plate_y_mm);
+  });
+  return named == scans.end() ? nullptr : &*named;
+}
+
+// What the program calls the results: none where an earlier one left no such table.
+using Table = std::optional<pipeline::CandidateTable>;
+
+Result<Table> tableOf(const fs::path& output) {
+  Result<pipeline::CandidateTable> read = pipeline::readCandidatesOf(output);
+  if (read) return Table(std::move(*read));
+  return read.error().code == ErrorCode::Missing ? Result<Table>(Table()) : read.error();
+}
+
+// The scan that is meant in these results, as the chain understood it.
+const ScanRecord* scanIn(const Table& table, const std::vector<ScanRecord>& scans,
+                         const pipeline::ScanRef& ref) {
+  if (!table) return scanOf(scans, ref);
+  const auto& side = ref.side == batch::Side::Front ? table->fronts : table->backs;
+  const int index = resolved(ref, side);
+  return index < 0 ? nullptr : scanOf(scans, side[static_cast<std::size_t>(index)]);
+}
+
+// A pair needs both scans; of several that are set aside each has a row. Empty: no effect.
+std::vector<PairDecision> rowsFor(BatchRow batch, const pipeline::PairDecision& decision,
+                                  const Table& table, const std::vector<ScanRecord>& scans) {
+  std::vector<PairDecision> rows;
+  PairDecision row;
+  row.batch = batch;
+  row.front_from_back = decision.front_from_back;
+  row.note = marked(decision);
+  row.verdict = decision.kind == DecisionKind::Pair    ? Verdict::Accept
+                : decision.kind == DecisionKind::Aside ? Verdict::Aside
+                                                       : Verdict::Reshoot;
+  for (const pipeline::ScanRef& ref : decision.scans) {
+    const ScanRecord* scan = scanIn(table, scans, ref);
+    if (scan == nullptr) continue;
+    (ref.side == batch::Side::Front ? row.front : row.back) = scan->row;
+    if (decision.kind == DecisionKind::Pair) continue;
+    rows.push_back(row);
+    row.front = row.back = {};
+  }
+  if (row.front && row.back) rows.push_back(row);
+  return rows;
+}
+
+// Pieces are kept by name and place: their scans come and go with each computation.
+Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
+                         const pipeline::PairDecision& decision, const Provenance& provenance) {
+  PieceDecision row;
+  row.batch = batch;
+  row.side = decision.scans.empty() ? batch::Side::Front : decision.scans.front().side;
+  row.verdict = decision.kind == DecisionKind::Join ? PieceVerdict::Join : PieceVerdict::Cut;
+  for (const pipeline::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
+  row.cut_mm = decision.cut_mm;
+  row.note = marked(decision);
+  const auto entered = decidePieces(catalogue, row, provenance);
+  return entered ? Result<void>() : Result<void>(entered.error());
+}
+
+bool isOfPieces(const pipeline::PairDecision& d) {
+  return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
+}
+
+// It stands, and has no effect since its side was photographed again.
+bool isOfOtherPhotographs(const pipeline::PairDecision& d, const pipeline::CandidateTable& table) {
+  if (d.scans.empty()) return false;
+  const pipeline::ScanRef& ref = d.scans.front();
+  const std::vector<pipeline::ScanRef>& now =
+      ref.side == batch::Side::Front ? table.fronts : table.backs;
+  return !now.empty() && !now.front().photographs.empty() && !ref.photographs.empty() &&
+         now.front().photographs != ref.photographs;
+}
+
+// Brings what the catalogue holds of one decisions.json in line with it.
+class Following {
+ public:
+  Following(Catalogue& catalogue, BatchRow batch, const pipeline::Decisions& all,
+            const Table& table)
+      : catalogue_(catalogue), batch_(batch), all_(all), standing_(pipeline::standing(all)) {
+    want(table, valueOrThrow(catalogue.scans(batch)));
+  }
+
+  /// How many were added.
+  int rows() {
+    pieces();
+    const std::vector<PairDecision> held = valueOrThrow(catalogue_.decisions(batch_));
+    for (const Wanted& wanted : wanted_)
+      if (!isAmong(rowsOf(held, wanted.of->number, wanted.of->at), wanted.row))
+        count(catalogue_.decide(wanted.row, actOf(*wanted.of)));
+    std::map<DecisionRow, const pipeline::PairDecision*> stale;
+    for (const pipeline::PairDecision& d : all_)
+      for (const PairDecision& row : rowsOf(held, d.number, d.at))
+        if (!isWanted(d, row) && isSurelyOf(d, row)) stale[row.row] = &d;
+    while (takeBack(stale)) {
+    }
+    return added_;
+  }
+
+ private:
+  struct Wanted {
+    const pipeline::PairDecision* of;
+    PairDecision row;
+  };
+
+  // As the chain does it: of two that are about one scan the later holds.
+  void want(const Table& table, const std::vector<ScanRecord>& scans) {
+    std::set<ScanRow> claimed;
+    for (auto d = standing_.rbegin(); d != standing_.rend(); ++d) {
+      if (isOfPieces(*d)) continue;
+      const std::vector<PairDecision> rows = rowsFor(batch_, *d, table, scans);
+      const bool free = std::none_of(rows.begin(), rows.end(), [&](const PairDecision& row) {
+        return claimed.contains(row.front) || claimed.contains(row.back);
+      });
+      for (const PairDecision& row : rows)
+        for (const ScanRow scan : {row.front, row.back})
+          if (scan) claimed.insert(scan);
+      for (std::size_t i = rows.size(); free && i-- > 0;) wanted_.push_back({&*d, rows[i]});
+    }
+    std::reverse(wanted_.begin(), wanted_.end());
+  }
+
+  static bool isAmong(const std::vector<PairDecision>& rows, const PairDecision& row) {
+    return std::any_of(rows.begin(), rows.end(), [&](const PairDecision& other) {
+      return other.verdict == row.verdict && other.front == row.front && other.back == row.back;
+    });
+  }
+  bool isWanted(const pipeline::PairDecision& d, const PairDecision& row) const {
+    return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& wanted) {
+      return wanted.of->number == d.number && isAmong({wanted.row}, row);
+    });
+  }
+
+  // What only an earlier program marked may be of another file: of this person it must be.
+  bool isSurelyOf(const pipeline::PairDecision& d, const PairDecision& row) {
+    return begins(row.note, markOf(d.number, d.at)) || row.by == actOf(d).person;
+  }
+
+  // Of what holds no more those rows that count; one that a later row is above of does no harm,
+  // and counts again where that is taken back. What was below may count then.
+  bool takeBack(std::map<DecisionRow, const pipeline::PairDecision*>& stale) {
+    bool any = false;
+    for (const PairDecision& counts : valueOrThrow(catalogue_.currentDecisions(batch_))) {
+      const auto found = stale.find(counts.row);
+      if (found == stale.end()) continue;
+      const auto [provenance, note] = endOf(*found->second, counts.by);
+      count(catalogue_.decide(takenBack(counts, note), provenance));
+      stale.erase(found);
+      any = true;
+    }
+    return any;
+  }
+
+  // Where the pieces of a join are now is asked by the chain alone.
+  void pieces() {
+    const std::vector<PieceDecision> held = valueOrThrow(pieceDecisions(catalogue_, batch_));
+    for (const pipeline::PairDecision& d : all_) {
+      if (!isOfPieces(d)) continue;
+      const std::vector<PieceDecision> rows = rowsOf(held, d.number, d.at);
+      const bool holds =
+          std::any_of(standing_.begin(), standing_.end(),
+                      [&](const pipeline::PairDecision& s) { return s.number == d.number; });
+      if (holds && rows.empty()) count(enterPieces(catalogue_, batch_, d, actOf(d)));
+      if (holds) continue;
+      for (const PieceDecision& row : rows) {
+        const auto [provenance, note] = endOf(d, row.by);
+        count(decidePieces(catalogue_, takenBack(row, note), provenance));
+      }
+    }
+  }
+
+  Provenance actOf(const pipeline::PairDecision& d) {
+    return {valueOrThrow(catalogue_.personByInitials(d.by, {})), "window", d.note};
+  }
+  // Who took it back, and the note that says so; nobody did where its scans are gone.
+  std::pair<Provenance, std::string> endOf(const pipeline::PairDecision& d, PersonRow by) {
+    for (auto end = all_.rbegin(); end != all_.rend(); ++end)
+      if (end->kind == DecisionKind::Withdraw &&
+          std::find(end->replaces.begin(), end->replaces.end(), d.number) != end->replaces.end())
+        return {actOf(*end), marked(*end)};
+    return {{by, "process", {}}, markOf(d.number, d.at) + " does not hold for these results"};
+  }
+  template <class T>
+  void count(const Result<T>& row) {
+    if (!row) throw Refused(row.error());
+    ++added_;
+  }
+
+  Catalogue& catalogue_;
+  BatchRow batch_;
+  const pipeline::Decisions& all_;
+  pipeline::Decisions standing_;
+  std::vector<Wanted> wanted_;
+  int added_ = 0;
+};
+
+}  // namespace
+
+Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
+                           const pipeline::PairDecision& decision, const fs::path& output) {
+  const bool finds_scans = decision.kind != DecisionKind::Withdraw && !isOfPieces(decision);
+  const Result<Table> table = finds_scans ? tableOf(output) : Table();
+  if (!table) return table.error();
+  return catalogue.together([&]() -> Result<void> {
+    const auto batch = catalogue.batchByNumber(batch_number);
+    if (!batch) return batch.error();
+    const auto person = catalogue.personByInitials(decision.by, {});
+    if (!person) return person.error();
+    const Provenance provenance{*person, "window", decision.note};
+    if (decision.kind == DecisionKind::Withdraw)
+      return withdraw(catalogue, batch->row, decision, provenance);
+    if (isOfPieces(decision)) return enterPieces(catalogue, batch->row, decision, provenance);
+    if (*table)  // of earlier photographs, or about a piece that is gone
+      if (const auto meant = pipeline::settledBy({decision}, **table); !meant.warnings.empty())
+        return Error{ErrorCode::Missing, meant.warnings.front(), batch_number};
+    const auto scans = catalogue.scans(batch->row);
+    if (!scans) return scans.error();
+    for (const pipeline::ScanRef& ref : decision.scans)
+      if (scanIn(*table, *scans, ref) == nullptr)
+        return Error{ErrorCode::Missing,
+                     "The decision is saved with the batch, but " + ref.id +
+                         " is not in the catalogue yet; it is added with the next results.",
+                     batch_number};
+    for (const PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
+      if (const auto entered = catalogue.decide(row, provenance); !entered) return entered.error();
+    return {};
+  });
+}
+
+Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
+                            const fs::path& output) {
+  const Result<pipeline::Decisions> all = pipeline::readDecisions(output);
+  if (!all) return all.error();
+  const Result<Table> table = tableOf(output);
+  if (!table) return table.error();
+  const auto batch = catalogue.batchByNumber(batch_number);
+  if (!batch) return batch.error();
+  return catalogue.database().inTransaction(
+      [&] { return Following(catalogue, batch->row, *all, *table).rows(); });
+}
+
+Result<int> catchUp(const fs::path& project, const std::string& batch_number,
+                    const fs::path& output) {
+  if (!pipeline::computedToItsEnd(output)) return 0;
+  Result<Catalogue> catalogue = Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const Result<BatchRecord> batch = catalogue->batchByNumber(batch_number);
+  if (!batch) return 0;  // nothing of it is entered
+  const bool computed = batch->state == BatchState::Review || batch->state == BatchState::Done;
+  if (!computed) return 0;  // what computes it enters them with its results
+  return followDecisions(*catalogue, batch_number, output);
+}
+
+Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
+                         const std::string& person, bool nothing_to_do) {
+  // In one step: the queue may take the batch meanwhile.
+  return catalogue.database().inTransaction([&] {
+    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
+    if (batch.state != BatchState::Review && batch.state != BatchState::Done) return;
+    const BatchState state =
+        nothing_to_do && batch.scale_doubts.empty() ? BatchState::Done : BatchState::Review;
+    if (state == batch.state) return;
+    Provenance provenance{{}, "window", {}};
+    if (!person.empty()) provenance.person = valueOrThrow(catalogue.personByInitials(person, {}));
+    valueOrThrow(catalogue.setBatchState(batch.row, state, provenance));
+  });
+}
+
+Result<void> settleByResults(const fs::path& project, const std::string& batch_number,
+                             const std::string& person) {
+  Result<Catalogue> catalogue = Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const fs::path output = project / "results" / batch_number;
+  const Result<pipeline::Review> review = pipeline::loadReview(output);
+  if (!review) return review.error();
+  return settleBatch(*catalogue, batch_number, person,
+                     review->waiting() == 0 && !pipeline::wantsComputing(output));
+}
+
+Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow batch,
+                                          const fs::path& output) {
+  const auto all = pipeline::readDecisions(output);
+  if (!all) return all.error();
+  const auto scans = catalogue.scans(batch);
+  if (!scans) return scans.error();
+  const pipeline::Decisions hold = pipeline::standing(*all);
+  std::set<ScanRow> pieces;
+  pipeline::Decisions computed_with = pipeline::followed(*all, output);
+  if (const Result<pipeline::CandidateTable> table = pipeline::readCandidatesOf(output))
+    std::erase_if(computed_with, [&](const auto& d) { return isOfOtherPhotographs(d, *table); });
+  for (const pipeline::PairDecision& d : computed_with)
+    if (isOfPieces(d) && !d.scans.empty() && !pipeline::containedIn(hold, d))
+      for (const ScanRow scan : madeBy(d, computed_with, *scans)) pieces.insert(scan);
+  return pieces;
+}
+
+Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
+                            const Provenance& provenance) {
+  if (pieces.empty()) return {};
+  return catalogue.together([&]() -> Result<void> {
+    const auto rows = catalogue.sherdRows(batch);
+    if (!rows) return rows.error();
+    const auto sherds = catalogue.sherds(*rows);
+    if (!sherds) return sherds.error();
+    for (const SherdRecord& sherd : *sherds)
+      if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
+        forgetModel(catalogue, sherd.row, provenance);
+    return {};
+  });
+}
+
+Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
+                            const pipeline::PairDecision& withdrawal, const fs::path& output) {
+  const auto batch = catalogue.batchByNumber(batch_number);
+  if (!batch) return batch.error();
+  const auto pieces = piecesTakenBack(catalogue, batch->row, output);
+  if (!pieces) return pieces.error();
+  const auto person = catalogue.personByInitials(withdrawal.by, {});
+  if (!person) return person.error();
+  return forgetModelsOf(catalogue, batch->row, *pieces, {*person, "window", withdrawal.note});
+}
+
+}  // namespace ostraka::catalogue

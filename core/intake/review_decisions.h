@@ -1,0 +1,61 @@
+#pragma once
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "base/result.h"
+#include "decisions/decisions.h"
+#include "records/records.h"
+
+namespace ostraka::catalogue {
+
+class Catalogue;
+
+/// Enters what a person decided into the catalogue's append-only list, so that the sherds follow.
+/// A decision about several scans becomes a row each; joins and cuts go into the list of pieces.
+/// Errors: Missing when the batch or its scans are not entered yet, and when the decision has no
+/// effect on the results in OUT: it is about earlier photographs, or about a piece that is gone.
+Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
+                           const pipeline::PairDecision& decision,
+                           const std::filesystem::path& output);
+
+/// What the catalogue holds of OUT/decisions.json follows the file and these results: rows are
+/// added for decisions that hold in them and are not there (taken while the batch was computed,
+/// without a catalogue, or when it was busy), and for the end of those that hold no more: taken
+/// back, about a piece that is gone, or about earlier photographs. What the file does not name
+/// stays: persons decide in the catalogue, too, and on other computers. Returns the rows added.
+/// Errors: a file that cannot be read, the batch is not there.
+Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
+                            const std::filesystem::path& output);
+
+/// The same for a batch that is opened again: whoever decides writes the file first, and may not
+/// come to the catalogue (a crash, a full disk). Opens the project by itself: callable in any
+/// thread. Nothing for one that is not in the catalogue, or neither done nor to be reviewed: what
+/// computes it enters them, too.
+Result<int> catchUp(const std::filesystem::path& project, const std::string& batch_number,
+                    const std::filesystem::path& output);
+
+/// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
+/// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
+/// as it is.
+Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
+                         const std::string& person, bool nothing_to_do);
+
+/// The same by what OUT of the batch says now: who is asked, what is to be computed. Reads files
+/// and opens the project by itself: callable in any thread.
+Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
+                             const std::string& person);
+
+/// The pieces that were made by joins and cuts which the results of OUT followed, and which hold no
+/// more: they were taken back since, or while it was computed.
+Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow batch,
+                                          const std::filesystem::path& output);
+/// The sherds of these pieces lose the models and measures that were made of them.
+Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
+                            const Provenance& provenance);
+/// Both, after a withdrawal. Nothing where what it ended was not computed.
+Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
+                            const pipeline::PairDecision& withdrawal,
+                            const std::filesystem::path& output);
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,127 @@
+#include "records/numbering.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr std::array kTokens = {"site", "trench", "context", "bag", "batch", "yyyy", "yy", "n"};
+
+bool isDigits(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool isLiteral(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+         c == '_' || c == '/' || c == '-';
+}
+
+std::string padded(std::string_view value, int width) {
+  if (!isDigits(value) || static_cast<int>(value.size()) >= width) return std::string(value);
+  return std::string(static_cast<std::size_t>(width) - value.size(), '0') + std::string(value);
+}
+
+}  // namespace
+
+Result<Numbering> Numbering::parse(std::string_view scheme) {
+  Numbering numbering;
+  int counters = 0;
+  for (std::size_t i = 0; i < scheme.size();) {
+    if (scheme[i] != '{') {
+      if (!isLiteral(scheme[i]))
+        return Error::unusable(
+            std::string("The numbering cannot contain the character '") + scheme[i] +
+            "'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.");
+      if (numbering.parts_.empty() || numbering.parts_.back().token)
+        numbering.parts_.push_back({false, {}, 0});
+      numbering.parts_.back().text += scheme[i++];
+      continue;
+    }
+    const std::size_t end = scheme.find('}', i);
+    if (end == std::string_view::npos)
+      return Error::unusable("The numbering opens a token with { and does not close it with }.");
+    const std::string_view inside = scheme.substr(i + 1, end - i - 1);
+    const std::size_t colon = inside.find(':');
+    Part part{true, std::string(inside.substr(0, colon)), 0};
+    if (std::find(kTokens.begin(), kTokens.end(), part.text) == kTokens.end())
+      return Error::unusable("The numbering has no token {" + part.text +
+                             "}; available: site, trench, context, bag, batch, yyyy, yy and n.");
+    if (colon != std::string_view::npos) {
+      const std::string_view width = inside.substr(colon + 1);
+      if (!isDigits(width) || width[0] != '0' || width.size() > 3 ||
+          std::stoi(std::string(width)) > 12)
+        return Error::unusable("The width of {" + part.text +
+                               "} must be written as :04, with 12 digits at most.");
+      part.width = std::stoi(std::string(width));
+    }
+    if (!numbering.parts_.empty() && numbering.parts_.back().token)
+      return Error::unusable("Two tokens are adjacent; put '-' or another character between {" +
+                             numbering.parts_.back().text + "} and {" + part.text + "}.");
+    counters += part.text == "n";
+    numbering.parts_.push_back(std::move(part));
+    i = end + 1;
+  }
+  if (counters != 1)
+    return Error::unusable("The numbering must count the sherds with {n} exactly once.");
+  return numbering;
+}
+
+std::string Numbering::fill(const std::map<std::string, std::string>& values, std::string_view n,
+                            std::string* lacking) const {
+  std::string out;
+  for (const Part& part : parts_) {
+    if (!part.token) {
+      out += part.text;
+    } else if (part.text == "n") {
+      out += n.starts_with('{') ? std::string(n) : padded(n, part.width);
+    } else {
+      const auto value = values.find(part.text);
+      if (value == values.end() || value->second.empty())
+        *lacking = part.text;
+      else
+        out += padded(value->second, part.width);
+    }
+  }
+  return out;
+}
+
+Result<std::string> Numbering::number(const std::map<std::string, std::string>& values,
+                                      int n) const {
+  std::string lacking;
+  std::string out = fill(values, std::to_string(n), &lacking);
+  if (!lacking.empty())
+    return Error::unusable("The number needs the " + lacking +
+                           " of the sherd, which is not recorded.");
+  return out;
+}
+
+Result<std::string> Numbering::counter(const std::map<std::string, std::string>& values) const {
+  std::string lacking;
+  std::string out = fill(values, "{n}", &lacking);
+  if (!lacking.empty())
+    return Error::unusable("The number needs the " + lacking +
+                           " of the sherd, which is not recorded.");
+  return out;
+}
+
+std::string Numbering::warning(const std::map<std::string, std::string>& values) const {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (!parts_[i].token) continue;
+    const auto value = values.find(parts_[i].text);
+    if (value == values.end()) continue;
+    for (const std::size_t k : {i - 1, i + 1})
+      if (k < parts_.size() && value->second.find(parts_[k].text) != std::string::npos)
+        return "The " + parts_[i].text + " " + value->second + " contains the character '" +
+               parts_[k].text + "' that is next to it in the number.";
+  }
+  return {};
+}
+
+bool Numbering::uses(std::string_view token) const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [&](const Part& part) { return part.token && part.text == token; });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,97 @@
+#include "records/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "records/sherd.h"
+#include "store/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr double kFar = 3;                              // callipers and models differ by far less
+constexpr double kTenTimesLow = 8, kTenTimesHigh = 12;  // a slip of the unit, measured roughly
+
+struct Order {
+  const char *smaller, *larger;
+};
+constexpr Order kOrders[] = {{"width", "length"},
+                             {"thickness_mean", "width"},
+                             {"thickness_mean", "length"},
+                             {"thickness_min", "thickness_mean"},
+                             {"thickness_min", "thickness_max"},
+                             {"thickness_mean", "thickness_max"}};
+
+std::optional<double> valueOf(const MeasureValues& values, const std::string& kind) {
+  const auto found = values.find(kind);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string withUnit(double value, const std::string& kind) {
+  const std::string unit = unitOf(kind);
+  return numberText(std::round(100 * value) / 100) + " " + (unit == "pct" ? "%" : unit);
+}
+
+// Within a sentence.
+std::string nameOf(const std::string& kind) {
+  if (kind == "length") return "the length";
+  if (kind == "width") return "the width";
+  if (kind == "thickness_min") return "the minimum thickness";
+  if (kind == "thickness_max") return "the maximum thickness";
+  return "the thickness";
+}
+
+}  // namespace
+
+std::vector<MeasureFinding> implausible(const std::vector<std::string>& kinds,
+                                        const MeasureValues& measured,
+                                        const MeasureValues& computed) {
+  std::vector<MeasureFinding> findings;
+  const std::set<std::string> asked(kinds.begin(), kinds.end());
+  for (const std::string& kind : asked) {
+    const std::optional<double> value = valueOf(measured, kind), model = valueOf(computed, kind);
+    if (!value || !model || !(*value > 0) || !(*model > 0)) continue;
+    const double factor = std::max(*value / *model, *model / *value);
+    if (factor < kFar) continue;
+    const bool ten_times = factor >= kTenTimesLow && factor <= kTenTimesHigh;
+    findings.push_back({ten_times ? MeasureDoubt::TenTimesComputed : MeasureDoubt::FarFromComputed,
+                        kind,
+                        *value,
+                        {},
+                        *model});
+  }
+  for (const Order& order : kOrders) {
+    const std::optional<double> smaller = valueOf(measured, order.smaller),
+                                larger = valueOf(measured, order.larger);
+    if (!asked.contains(order.smaller) && !asked.contains(order.larger)) continue;
+    if (!smaller || !larger || *larger >= *smaller) continue;
+    findings.push_back(
+        {MeasureDoubt::OrderReversed, order.larger, *larger, order.smaller, *smaller});
+  }
+  return findings;
+}
+
+std::string sentenceOf(const MeasureFinding& finding) {
+  const std::string value = withUnit(finding.value, finding.kind);
+  const std::string reference = withUnit(finding.reference, finding.kind);
+  switch (finding.doubt) {
+    case MeasureDoubt::TenTimesComputed:
+      return finding.value > finding.reference
+                 ? "Check the unit: " + value + " is about ten times the computed value."
+                 : "Check the unit: " + value + " is about a tenth of the computed value.";
+    case MeasureDoubt::FarFromComputed:
+      return "Check the value: " + value + " is at least three times off the computed value.";
+    case MeasureDoubt::OrderReversed:
+      return "Check the values: " + nameOf(finding.kind) + " (" + value + ") is below " +
+             nameOf(finding.than) + " (" + reference + ").";
+    case MeasureDoubt::DeletesComputed:
+      return "The computed value is " + reference + ". Delete it?";
+    case MeasureDoubt::ReplacesComputed:
+      break;
+  }
+  return "The computed value is " + reference + ". Replace it with the measured value?";
+}
+
+}  // namespace ostraka::catalogue

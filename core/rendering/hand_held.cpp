@@ -1,0 +1,26 @@
+#include "rendering/hand_held.h"
+
+namespace ostraka::virtualrig {
+
+Result<void> HandHeldOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (photographs < 3 || photographs > 400)
+    return bad("hand_held must lie between 3 and 400 photographs a side.");
+  if (!(bend_mm >= 0 && bend_mm <= 20)) return bad("bend must lie between 0 and 20 mm.");
+  if (clutter < 0 || clutter > 4) return bad("clutter must lie between 0 and 4 things.");
+  return {};
+}
+
+Eigen::Vector2d paperSize(SheetSize size) {
+  switch (size) {
+    case SheetSize::A4:
+      return {297, 210};
+    case SheetSize::A3:
+      return {420, 297};
+    case SheetSize::Letter:
+      return {279.4, 215.9};
+  }
+  return {297, 210};
+}
+
+}  // namespace ostraka::virtualrig

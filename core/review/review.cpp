@@ -1,0 +1,256 @@
+#include "review/review.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "decisions/mask_strokes.h"
+#include "files/json.h"
+#include "files/json_numbers.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+using pairing::Doubt;
+using registration::FailedCheck;
+using registration::Registration;
+
+// The figure that a failed check is about.
+double valueOf(const Registration& r) {
+  switch (r.failed_check) {
+    case FailedCheck::FacesCross:
+      return r.crossing_share;
+    case FailedCheck::NoSharedFracture:
+      return r.fracture_overlap;
+    case FailedCheck::FractureMisfits:
+      return r.fracture_rms_mm;
+    case FailedCheck::FractureLoose:
+      return r.uncertainty_mm;
+    case FailedCheck::RivalPlace:
+      return r.runner_up_mm;
+    default:
+      return 0;
+  }
+}
+
+// P(this back | front) from by how much the best assignment falls when the pair is forced; a front
+// that stays alone in it may also stay so.
+std::vector<double> chancesOf(const CandidateTable& table, const PairTable& free,
+                              const pairing::AssignOptions& options) {
+  std::vector<pairing::Evidence> evidence;
+  for (const RegisteredCandidate& c : table.candidates) evidence.push_back(c.evidence);
+  const Result<std::vector<double>> regret =
+      pairing::regrets(evidence, static_cast<int>(table.fronts.size()),
+                       static_cast<int>(table.backs.size()), options.lone_log_likelihood);
+  std::vector<double> chances(evidence.size(), 0);
+  if (!regret) return chances;
+  std::vector<double> totals(table.fronts.size(), 0);
+  for (const int f : free.unpaired_front) totals[static_cast<std::size_t>(f)] = 1;
+  for (std::size_t i = 0; i < evidence.size(); ++i)
+    totals[static_cast<std::size_t>(evidence[i].front)] += std::exp(-(*regret)[i]);
+  for (std::size_t i = 0; i < evidence.size(); ++i)
+    chances[i] = std::exp(-(*regret)[i]) / totals[static_cast<std::size_t>(evidence[i].front)];
+  // The assignment's own figure knows more (other poses of the same pair, staying alone).
+  for (const SherdPair& pair : free.pairs)
+    for (std::size_t i = 0; i < evidence.size(); ++i)
+      if (evidence[i].front == pair.decision.front && evidence[i].back == pair.decision.back)
+        chances[i] = pair.decision.score;
+  return chances;
+}
+
+void nameRival(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
+  if (pair.decision.alternatives.empty()) return;
+  const pairing::Alternative& rival = pair.decision.alternatives.front();
+  if (rival.front == card.front)
+    card.rival_back = rival.back;
+  else
+    card.rival_front = rival.front;
+  if (const RegisteredCandidate* c = table.find(rival.front, rival.back))
+    card.rival_fracture_rms_mm = c->registration.fracture_rms_mm;
+}
+
+void pairUp(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
+  card.back = pair.decision.back;
+  card.score = pair.decision.score;
+  card.margin = pair.decision.margin;
+  card.front_from_back = pair.registration.front_from_back;
+  card.fracture_rms_mm = pair.registration.fracture_rms_mm;
+  card.decision = pair.decided;
+  card.decided_by = pair.decided_by;
+  card.decided_at = pair.decided_at;
+  card.state = pair.decided != 0         ? CardState::Decided
+               : pair.decision.ambiguous ? CardState::Ask
+                                         : CardState::Sure;
+  card.doubt = pair.decision.doubt;
+  if (card.doubt == Doubt::SelfCheck) {
+    card.failed_check = pair.registration.failed_check;
+    card.check_value = valueOf(pair.registration);
+  }
+  nameRival(card, pair, table);
+  for (std::size_t i = 0; i < card.candidates.size(); ++i)
+    if (card.candidates[i].back == card.back) card.candidate = static_cast<int>(i);
+}
+
+int rankOf(const ReviewCard& card) {
+  if (card.state == CardState::Ask && card.doubt == Doubt::Displaced) return 0;
+  switch (card.state) {
+    case CardState::Ask:
+      return 1;
+    case CardState::Alone:
+      return 2;
+    case CardState::Sure:
+      return 3;
+    case CardState::Decided:
+      return 4;
+    default:
+      return 5;
+  }
+}
+
+bool among(const std::vector<int>& list, int i) {
+  return std::find(list.begin(), list.end(), i) != list.end();
+}
+
+// Who set a front aside, for the card.
+void nameDecision(ReviewCard& card, const CandidateTable& table, const Decisions& standing,
+                  DecisionKind kind) {
+  for (const PairDecision& d : standing) {
+    if (d.kind != kind) continue;
+    for (const ScanRef& ref : d.scans)
+      if (ref.side == batch::Side::Front && resolved(ref, table.fronts) == card.front) {
+        card.decision = d.number;
+        card.decided_by = d.by;
+        card.decided_at = d.at;
+      }
+  }
+}
+
+}  // namespace
+
+ReviewCandidate candidateOf(const RegisteredCandidate& c) {
+  ReviewCandidate out;
+  const Registration& r = c.registration;
+  out.back = c.evidence.back;
+  out.fracture_rms_mm = r.fracture_rms_mm;
+  out.fracture_overlap = r.fracture_overlap;
+  out.uncertainty_mm = r.uncertainty_mm;
+  out.contour_rms_mm = c.start().contour_rms_mm;
+  out.front_from_back = r.front_from_back;
+  out.shift = c.start().shift;
+  for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
+  std::sort(out.shifts.begin(), out.shifts.end());
+  out.check_failed = r.check_failed;
+  out.failed_check = r.failed_check;
+  out.check_value = valueOf(r);
+  return out;
+}
+
+int Review::waiting() const {
+  const auto wanting = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
+    return card.state == CardState::Ask || card.state == CardState::Alone;
+  });
+  return static_cast<int>(wanting) + static_cast<int>(lone_backs.size());
+}
+
+int Review::toReshoot() const {
+  const auto fronts = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
+    return card.state == CardState::Reshoot;
+  });
+  return static_cast<int>(
+      std::max<std::ptrdiff_t>(fronts, static_cast<std::ptrdiff_t>(reshoot_backs.size())));
+}
+
+const ReviewCard* Review::ofFront(int front) const {
+  for (const ReviewCard& card : cards)
+    if (card.front == front) return &card;
+  return nullptr;
+}
+
+const ReviewCard* Review::ofBack(int back) const {
+  for (const ReviewCard& card : cards)
+    if (back >= 0 && card.back == back) return &card;
+  return nullptr;
+}
+
+Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) {
+  pairing::AssignOptions options;
+  options.max_alternatives = static_cast<int>(table.fronts.size() + table.backs.size());
+  const Settled settled = settledBy(standing, table);
+  const Result<PairTable> free = assigned(table, options);
+  if (!free) return free.error();
+  const Result<PairTable> pairs = assigned(table, settled, options);
+  if (!pairs) return pairs.error();
+  const std::vector<double> chances = chancesOf(table, *free, options);
+
+  Review review;
+  review.warnings = settled.warnings;
+  review.lone_backs = pairs->unpaired_back;
+  review.aside_backs = pairs->aside_back;
+  review.reshoot_backs = pairs->reshoot_back;
+  for (std::size_t f = 0; f < table.fronts.size(); ++f) {
+    ReviewCard card;
+    card.front = static_cast<int>(f);
+    card.number = sherdNumber(table.fronts[f].id);
+    for (std::size_t i = 0; i < table.candidates.size(); ++i) {
+      if (table.candidates[i].evidence.front != card.front) continue;
+      card.candidates.push_back(candidateOf(table.candidates[i]));
+      card.candidates.back().score = chances[i];
+    }
+    std::stable_sort(
+        card.candidates.begin(), card.candidates.end(),
+        [](const ReviewCandidate& a, const ReviewCandidate& b) { return a.score > b.score; });
+    card.state = CardState::Alone;
+    for (const SherdPair& pair : pairs->pairs)
+      if (pair.decision.front == card.front) pairUp(card, pair, table);
+    if (among(pairs->aside_front, card.front)) card.state = CardState::Aside;
+    if (among(pairs->reshoot_front, card.front)) card.state = CardState::Reshoot;
+    if (card.state == CardState::Aside) nameDecision(card, table, standing, DecisionKind::Aside);
+    if (card.state == CardState::Reshoot)
+      nameDecision(card, table, standing, DecisionKind::Reshoot);
+    review.cards.push_back(std::move(card));
+  }
+  std::stable_sort(review.cards.begin(), review.cards.end(),
+                   [](const ReviewCard& a, const ReviewCard& b) {
+                     const int x = rankOf(a), y = rankOf(b);
+                     if (x != y) return x < y;
+                     return x == 1 && a.margin < b.margin;
+                   });
+  return review;
+}
+
+bool onlyConfirm(const CandidateTable& table, const Decisions& decisions) {
+  if (decisions.empty()) return true;
+  const Result<Review> free = reviewOf(table, {});
+  if (!free) return false;
+  return std::all_of(decisions.begin(), decisions.end(), [&](const PairDecision& d) {
+    if (d.kind != DecisionKind::Pair || d.settle == Settle::AsGiven) return false;
+    const ReviewCard* card = free->ofFront(resolved(d.scans.at(0), table.fronts));
+    if (card == nullptr || card->back != resolved(d.scans.at(1), table.backs)) return false;
+    return !d.front_from_back || d.front_from_back->isApprox(card->front_from_back, 1e-6);
+  });
+}
+
+Result<void> computedToItsEnd(const std::filesystem::path& output) {
+  std::error_code failed;
+  if (std::filesystem::exists(output / "report.json", failed)) return {};
+  return Error{ErrorCode::Missing,
+               "The batch is not fully processed; let the queue process it, then review its pairs.",
+               output.string()};
+}
+
+bool wantsComputing(const std::filesystem::path& output) {
+  if (masksWantComputing(output)) return true;
+  const Result<Decisions> decisions = readDecisions(output);
+  const Result<CandidateTable> table = readCandidatesOf(output);
+  if (!decisions || !table) return false;
+  return !onlyConfirm(*table, changedSince(*decisions, followed(*decisions, output)));
+}
+
+Result<Review> loadReview(const std::filesystem::path& output) {
+  const Result<CandidateTable> table = readCandidatesOf(output);
+  if (!table) return table.error();
+  const Result<Decisions> decisions = readDecisions(output);
+  if (!decisions) return decisions.error();
+  return reviewOf(*table, standing(*decisions));
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,215 @@
+#include "scansets/register_scans.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <system_error>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "cloud/ply.h"
+#include "decisions/pair_sides.h"
+#include "decisions/scan_folder.h"
+#include "files/files.h"
+#include "files/json.h"
+#include "pairing/common_scale.h"
+#include "pipeline/output_folder.h"
+#include "pipeline/run_log.h"
+#include "scan/fracture.h"
+#include "scansets/register_report.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+PointCloud mergedCloud(const scan::Scan& front, const scan::Scan& back,
+                       const registration::Registration& found) {
+  PointCloud merged = front.cloud;
+  PointCloud other = back.cloud;
+  for (Eigen::Vector3f& p : other.points) p *= static_cast<float>(found.scale);
+  other = transformed(other, found.front_from_back);
+  const bool colors = !front.cloud.colors.empty() && !other.colors.empty();
+  merged.points.insert(merged.points.end(), other.points.begin(), other.points.end());
+  merged.normals.insert(merged.normals.end(), other.normals.begin(), other.normals.end());
+  if (colors) {
+    merged.colors.insert(merged.colors.end(), other.colors.begin(), other.colors.end());
+  } else {
+    merged.colors.clear();
+  }
+  merged.quality.clear();
+  return merged;
+}
+
+std::string numberOf(std::size_t i) {
+  const std::string digits = std::to_string(i + 1);
+  return digits.size() < 2 ? "0" + digits : digits;
+}
+
+RegisterSummary summaryOf(const PairTable& table, const ScanFolder& fronts,
+                          const ScanFolder& backs) {
+  RegisterSummary summary;
+  for (std::size_t i = 0; i < table.pairs.size(); ++i) {
+    const SherdPair& pair = table.pairs[i];
+    summary.pairs.push_back(
+        {numberOf(i), fronts.scans[static_cast<std::size_t>(pair.decision.front)].id,
+         backs.scans[static_cast<std::size_t>(pair.decision.back)].id, pair.decision.score,
+         pair.decision.margin, pair.registration.fracture_rms_mm,
+         pair.registration.fracture_overlap, pair.registration.uncertainty_mm,
+         pair.decision.ambiguous, pair.decision.reason});
+  }
+  for (const int f : table.unpaired_front) {
+    summary.unpaired_front.push_back(fronts.scans[static_cast<std::size_t>(f)].id);
+  }
+  for (const int b : table.unpaired_back) {
+    summary.unpaired_back.push_back(backs.scans[static_cast<std::size_t>(b)].id);
+  }
+  summary.warnings = fronts.warnings;
+  summary.warnings.insert(summary.warnings.end(), backs.warnings.begin(), backs.warnings.end());
+  summary.unusable = fronts.unusable + backs.unusable;
+  return summary;
+}
+
+struct Paired {
+  PairTable table;
+  double mm = 1;  ///< RegisterSummary::mm
+};
+
+std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double factor) {
+  std::vector<scan::Scan> sized;
+  for (const scan::Scan& scan : scans) sized.push_back(pairing::scaled(scan, factor));
+  return sized;
+}
+
+/// From fronts that were brought to a usual size by the factor to their own unit.
+void bringBack(SherdPair& pair, double factor) {
+  registration::Registration& found = pair.registration;
+  found.front_from_back.translation() /= factor;
+  for (double* length : {&found.fracture_rms_mm, &found.misfit_mm, &found.uncertainty_mm,
+                         &found.runner_up_mm, &found.thickness_mm, &pair.contour_rms_mm})
+    *length /= factor;
+}
+
+/// With scale free, both sides are first brought to one size, the fronts' own where that can be mm
+/// (all tolerances are in mm): one scale for the whole batch is known better (0.1 %) than each
+/// pair's own could be.
+Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan> fronts,
+                      std::span<const scan::Scan> backs, Progress& progress, std::stop_token stop) {
+  constexpr double kUsual_mm = 45;
+  PairOptions pair_options;
+  pair_options.candidates.method = options.pairing;
+  pair_options.candidates.threads = options.threads;
+  pair_options.threads = options.threads;
+  std::vector<scan::Scan> sized_fronts, sized_backs;
+  double factor = 1, scale = 1;
+  if (options.scale == pairing::Scale::Free) {
+    const Result<double> found =
+        pairing::commonScale(fronts, backs, pair_options.candidates, progress, stop);
+    if (!found) return found.error();
+    scale = *found;
+    progress.note(NoteLevel::Info, "pairing: the fronts are " + std::to_string(scale) +
+                                       " times the size of the backs");
+    if (const double length = medianLength(fronts); !isSherdLength(length)) {
+      factor = kUsual_mm / length;
+      progress.note(NoteLevel::Warning,
+                    "The fronts are not in mm: lengths in the result, although labelled mm, are in "
+                    "the fronts' own unit.");
+    }
+    sized_fronts = allScaled(fronts, factor);
+    sized_backs = allScaled(backs, scale * factor);
+    fronts = sized_fronts;
+    backs = sized_backs;
+  }
+  registration::Constraints constraints;
+  constraints.front_on_plate = standOnPlate(fronts);
+  constraints.back_on_plate = standOnPlate(backs);
+  Result<PairTable> table = pairSides(fronts, backs, constraints, pair_options, progress, stop);
+  if (!table) return table.error();
+  for (SherdPair& pair : table->pairs) {
+    pair.registration.scale = scale;
+    bringBack(pair, factor);
+  }
+  return Paired{std::move(*table), 1 / factor};
+}
+
+}  // namespace
+
+Result<void> RegisterOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (front.empty()) return bad("Name the folder of the front scans (--front DIR).");
+  if (back.empty()) return bad("Name the folder of the back scans (--back DIR).");
+  if (output.empty()) return bad("Name the output folder (--output OUT).");
+  return {};
+}
+
+int RegisterSummary::ambiguous() const {
+  return static_cast<int>(
+      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.ambiguous; }));
+}
+
+bool RegisterSummary::whole() const {
+  return unusable == 0 && !pairs.empty() && unpaired_front.empty() && unpaired_back.empty();
+}
+
+Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& progress,
+                                      std::stop_token stop) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (const Result<void> valid = options.check(); !valid) return valid.error();
+  progress.begin("pairs", 0.97);
+  const Result<ScanFolder> fronts = readScanFolder(options.front, options.threads);
+  if (!fronts) return fronts.error();
+  const Result<ScanFolder> backs = readScanFolder(options.back, options.threads);
+  if (!backs) return backs.error();
+  for (const ScanFolder* side : {&*fronts, &*backs})
+    for (const std::string& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
+  if (options.scale == pairing::Scale::Fixed) {
+    const Result<void> unit = checkUnit(*fronts, *backs, "export them in mm, or use --scale free");
+    if (!unit) return unit.error();
+  }
+  const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
+  const Result<FolderLock> held = claimOutput(options.output, inputs_hash);
+  if (!held) return held.error();
+  withdrawResults(options.output);
+  std::error_code ignored;
+  fs::remove_all(options.output / "sherds", ignored);
+
+  WarningsKept kept(progress);
+  const Result<Paired> found = paired(options, fronts->scans, backs->scans, kept, stop);
+  if (!found) return found.error();
+  const PairTable* table = &found->table;
+  if (!held->stands()) return outputGone(options.output);
+
+  RegisterSummary summary = summaryOf(*table, *fronts, *backs);
+  summary.mm = found->mm;
+  summary.warnings.insert(summary.warnings.end(), kept.warnings.begin(), kept.warnings.end());
+  for (std::size_t i = 0; i < table->pairs.size(); ++i) {
+    if (stop.stop_requested()) return Error::cancelled();
+    const SherdPair& pair = table->pairs[i];
+    const PointCloud merged =
+        mergedCloud(fronts->scans[static_cast<std::size_t>(pair.decision.front)],
+                    backs->scans[static_cast<std::size_t>(pair.decision.back)], pair.registration);
+    const fs::path file = options.output / "sherds" / numberOf(i) / "merged.ply";
+    if (const Result<void> wrote = writePly(file, merged, "front scan"); !wrote)
+      return wrote.error();
+  }
+  summary.pairs_file = options.output / "pairs.json";
+  const ordered_json pairs = toJson(*table, fronts->scans, backs->scans);
+  if (const Result<void> wrote = writeJson(summary.pairs_file, pairs); !wrote) return wrote.error();
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (const Result<void> wrote = writeRegisterReport(options.output, summary, *table, fronts->scans,
+                                                     backs->scans, inputs_hash);
+      !wrote) {
+    return wrote.error();
+  }
+  if (!held->stands()) {
+    leaveGoneOutput(options.output);
+    return outputGone(options.output);
+  }
+  return summary;
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,115 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/result.h"
+#include "files/scratch_folder.h"
+#include "store/statement.h"
+
+struct sqlite3;
+
+namespace ostraka::catalogue {
+
+/// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s. Pages are
+/// checked as they are read (page_checksums.h), but for those of catalogues before that.
+class Database {
+ public:
+  /// ReadOnly: also where nothing can be written, not even what SQLite needs beside the file.
+  enum class Mode { Create, ReadWrite, ReadOnly };
+  static Result<std::unique_ptr<Database>> open(const std::filesystem::path& file, Mode mode);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  /// Prepared once, kept for the next call.
+  Statement sql(std::string_view text);
+  void script(const std::string& text);  ///< several statements
+  std::int64_t lastRow() const;
+  int changes() const;
+
+  /// One transaction, or a part of the one around it; an exception or an Error undoes it.
+  template <class Work>
+  auto inTransaction(Work work) -> Result<std::invoke_result_t<Work>> {
+    // Taking the right to write at once: a transaction that reads first and writes later can fail
+    // between the two.
+    return within("BEGIN IMMEDIATE", std::move(work));
+  }
+  /// What is read is of one moment, whatever others write meanwhile; nothing is to be written.
+  template <class Work>
+  auto inSnapshot(Work work) -> Result<std::invoke_result_t<Work>> {
+    return within("BEGIN DEFERRED", std::move(work));
+  }
+  /// Where failures become Errors.
+  template <class Work>
+  auto door(Work work) const -> Result<std::invoke_result_t<Work>> {
+    try {
+      if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
+        work();
+        return {};
+      } else {
+        return work();
+      }
+    } catch (const Refused& refused) {
+      return refused.error;
+    } catch (const SqlFailure& failure) {
+      return errorOf(failure);
+    }
+  }
+  /// This whole database into another file (SQLite's backup), page by page.
+  void copyTo(const std::filesystem::path& file) const;
+  /// Into a new file whose pages have checksums. Error: another program has this one open.
+  Result<void> rewriteWithChecksums(const std::filesystem::path& file);
+  const std::filesystem::path& file() const { return file_; }
+  bool readOnly() const { return read_only_; }
+  bool hasChecksums() const { return vfs_ != nullptr; }
+
+ private:
+  class Scope {
+   public:
+    Scope(Database& database, const char* begin);
+    ~Scope();
+    void commit();
+
+   private:
+    Database& database_;
+    bool open_ = true;
+  };
+  template <class Work>
+  auto within(const char* begin, Work work) -> Result<std::invoke_result_t<Work>> {
+    return door([&] {
+      Scope scope(*this, begin);
+      if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
+        work();
+        scope.commit();
+      } else {
+        auto value = work();
+        scope.commit();
+        return value;
+      }
+    });
+  }
+  Database(std::filesystem::path file, Mode mode, const char* vfs);
+  Result<void> connect(const std::string& name, int flags);
+  Result<void> connectWhereNothingCanBeWritten();
+  Result<void> connectToCopy();
+  Error errorOf(const SqlFailure& failure) const;
+  void exec(const char* text) const;
+
+  struct Prepared;
+  sqlite3* handle_ = nullptr;
+  std::filesystem::path file_;
+  const char* vfs_;  ///< null: the system's
+  bool read_only_;
+  std::optional<ScratchFolder> scratch_;  ///< of a copy that this connection alone reads
+  std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
+  int depth_ = 0;
+};
+
+}  // namespace ostraka::catalogue

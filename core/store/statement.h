@@ -1,0 +1,104 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "store/row.h"
+
+struct sqlite3_stmt;
+
+namespace ostraka::catalogue {
+
+/// The door to SQLite: inside core/catalogue a failure travels as one of these, and Database::door
+/// turns it into an Error.
+struct SqlFailure : std::runtime_error {
+  SqlFailure(int code_, const std::string& text) : std::runtime_error(text), code(code_) {}
+  int code;  ///< SQLite's extended result code
+};
+/// An expected refusal met in the middle of a transaction, which it rolls back.
+struct Refused : std::runtime_error {
+  explicit Refused(Error error_) : std::runtime_error(error_.what), error(std::move(error_)) {}
+  Error error;
+};
+[[noreturn]] void refuse(std::string what, std::string where = {});
+
+/// A prepared statement in use. Values go in by call, columns come out with >>, left to right.
+class Statement {
+ public:
+  Statement(sqlite3_stmt* handle, bool* busy) : handle_(handle), busy_(busy) { *busy_ = true; }
+  Statement(Statement&& other) noexcept;
+  ~Statement();
+
+  /// Binds the values in order to ?1, ?2, ...
+  template <class... Values>
+  Statement& with(const Values&... values) {
+    (bind(++bound_, values), ...);
+    return *this;
+  }
+  /// Binds what the other's row holds, column by column.
+  Statement& withRow(const Statement& row);
+  bool next();  ///< to the next row; false when there is none
+  void run() {
+    while (next()) {
+    }
+  }
+
+  Statement& operator>>(std::string& value);  ///< NULL reads as empty
+  Statement& operator>>(std::int64_t& value);
+  Statement& operator>>(int& value);
+  Statement& operator>>(bool& value);
+  Statement& operator>>(double& value);
+  /// The column as text whatever its type; numbers as values.h's numberText writes them.
+  void readText(std::string& value);
+  template <class T>
+  Statement& operator>>(std::optional<T>& value) {
+    value.reset();
+    if (columnIsNull()) {
+      ++column_;
+      return *this;
+    }
+    T inner{};
+    *this >> inner;
+    value = std::move(inner);
+    return *this;
+  }
+  template <class Tag>
+  Statement& operator>>(RowOf<Tag>& row) {
+    return *this >> row.value;  // NULL reads as 0, which is none
+  }
+
+ private:
+  void bind(int index, std::string_view value);
+  void bind(int index, const std::string& value) { bind(index, std::string_view(value)); }
+  void bind(int index, const char* value) { bind(index, std::string_view(value)); }
+  void bind(int index, std::int64_t value);
+  void bind(int index, int value) { bind(index, std::int64_t{value}); }
+  void bind(int index, bool value) { bind(index, std::int64_t{value}); }
+  void bind(int index, double value);
+  void bind(int index, std::nullptr_t);
+  template <class T>
+  void bind(int index, const std::optional<T>& value) {
+    if (value)
+      bind(index, *value);
+    else
+      bind(index, nullptr);
+  }
+  template <class Tag>
+  void bind(int index, const RowOf<Tag>& row) {
+    if (row)
+      bind(index, row.value);
+    else
+      bind(index, nullptr);
+  }
+  bool columnIsNull() const;
+  void check(int code) const;
+
+  sqlite3_stmt* handle_;
+  bool* busy_;
+  int bound_ = 0, column_ = 0;
+};
+
+}  // namespace ostraka::catalogue

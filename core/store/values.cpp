@@ -1,0 +1,228 @@
+#include "store/values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/limits.h"
+#include "files/contained_path.h"
+#include "files/json_text.h"
+#include "store/names.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr std::size_t kMostBytes = limits::kValueBytes.most;
+
+bool digits(std::string_view text, std::size_t from, std::size_t count) {
+  if (from + count > text.size()) return false;
+  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(from),
+                     text.begin() + static_cast<std::ptrdiff_t>(from + count),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+int number(std::string_view text) {
+  int value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+int daysIn(int year, int month) {
+  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+  return month == 2 && leap ? 29 : kDays[month - 1];
+}
+
+// One end of an EDTF interval: -0599, 2026-07, 19XX, Y-12000, 2026-21 (a season), with ? ~ or %.
+bool isEdtfDate(std::string_view text) {
+  if (!text.empty() && (text.back() == '?' || text.back() == '~' || text.back() == '%'))
+    text.remove_suffix(1);
+  if (text.starts_with('Y')) {
+    text.remove_prefix(1);
+    if (text.starts_with('-')) text.remove_prefix(1);
+    return text.size() > 4 && text.size() < 10 && digits(text, 0, text.size());
+  }
+  if (text.starts_with('-')) text.remove_prefix(1);
+  if (text.size() < 4) return false;
+  const std::string_view year = text.substr(0, 4);
+  const std::size_t known = std::min<std::size_t>(year.find('X'), 4);
+  if (known < 2 || !digits(year, 0, known) ||
+      year.substr(known).find_first_not_of('X') != std::string_view::npos)
+    return false;
+  if (text.size() == 4) return true;
+  const auto isPart = [&](std::size_t at) {
+    return text[at] == '-' && (digits(text, at + 1, 2) || text.substr(at + 1, 2) == "XX");
+  };
+  if (text.size() != 7 && text.size() != 10) return false;
+  if (!isPart(4)) return false;
+  const bool month_known = digits(text, 5, 2);
+  const int month = month_known ? number(text.substr(5, 2)) : 1;
+  const bool season = text.size() == 7 && month >= 21 && month <= 24;
+  if (!season && (month < 1 || month > 12)) return false;
+  if (text.size() == 7) return true;
+  if (!isPart(7)) return false;
+  if (!digits(text, 8, 2)) return true;
+  const int day = number(text.substr(8, 2));
+  const int most = known == 4 && month_known ? daysIn(number(year), month) : 31;
+  return day >= 1 && day <= most;
+}
+
+}  // namespace
+
+Result<std::string> checkedText(std::string_view text) {
+  if (text.size() > kMostBytes) return Error::unusable("The text is longer than 1 MB.");
+  if (!isUtf8(text)) return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
+  return composed(trimmed(text));
+}
+
+Result<std::string> checkedDay(std::string_view typed) {
+  const std::string text = trimmed(typed);
+  if (text.empty()) return text;
+  const bool shape = text.size() == 10 && text[4] == '-' && text[7] == '-' && digits(text, 0, 4) &&
+                     digits(text, 5, 2) && digits(text, 8, 2);
+  if (shape) {
+    const int year = number(std::string_view(text).substr(0, 4));
+    const int month = number(std::string_view(text).substr(5, 2));
+    const int day = number(std::string_view(text).substr(8, 2));
+    if (month >= 1 && month <= 12 && day >= 1 && day <= daysIn(year, month)) return text;
+  }
+  return Error::unusable("Write the day as 2026-07-14 (year-month-day).");
+}
+
+Result<std::string> checkedEdtf(std::string_view typed) {
+  const std::string text = trimmed(typed);
+  if (text.empty()) return text;
+  const std::size_t slash = text.find('/');
+  bool good = false;
+  if (slash == std::string::npos) {
+    good = isEdtfDate(text);
+  } else {
+    const std::string_view from = std::string_view(text).substr(0, slash);
+    const std::string_view to = std::string_view(text).substr(slash + 1);
+    const auto isEnd = [](std::string_view end) {
+      return end.empty() || end == ".." || isEdtfDate(end);
+    };
+    good = isEnd(from) && isEnd(to) && (isEdtfDate(from) || isEdtfDate(to));
+  }
+  if (good) return text;
+  return Error::unusable(
+      "Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; "
+      "years have four digits.");
+}
+
+Result<std::string> checkedMunsell(std::string_view typed) {
+  std::string text = trimmed(typed);
+  if (text.empty()) return text;
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  const auto numeric = [](std::string_view part) {
+    return part.find_first_not_of("0123456789.") == std::string_view::npos;
+  };
+  const std::size_t space = text.find(' '), slash = text.find('/');
+  if (space != std::string::npos && slash != std::string::npos && slash > space + 1) {
+    const std::string_view hue = std::string_view(text).substr(0, space);
+    const std::string_view value = std::string_view(text).substr(space + 1, slash - space - 1);
+    const std::string_view chroma = std::string_view(text).substr(slash + 1);
+    const std::size_t letters = std::min(hue.find_first_not_of("0123456789."), hue.size());
+    const std::string_view name = hue.substr(letters);
+    constexpr std::string_view kHues[] = {"R", "YR", "Y", "GY", "G", "BG", "B", "PB", "P", "RP"};
+    const bool known = std::find(std::begin(kHues), std::end(kHues), name) != std::end(kHues);
+    if ((hue == "N" || (letters > 0 && known)) && numeric(value) && numeric(chroma)) return text;
+  }
+  return Error::unusable("Write the Munsell colour as 10YR 3/1 or N 4/.");
+}
+
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Without what languages write between groups of three digits, as in 1 234 567,5: blanks, those
+// that do not break, too, and apostrophes. Not the point and the comma: 1.234 is not 1234.
+std::string withoutGroups(const std::string& text) {
+  constexpr std::string_view kMarks[] = {" ", "\u00A0", "\u2009", "\u202F", "'", "\u2019"};
+  std::string out;
+  std::size_t i = 0;
+  for (; i < text.size() && text[i] != '.' && text[i] != ','; ++i) {
+    const auto mark = std::find_if(std::begin(kMarks), std::end(kMarks), [&](std::string_view m) {
+      return std::string_view(text).substr(i).starts_with(m);
+    });
+    if (mark != std::end(kMarks) && !out.empty() && isDigit(out.back())) {
+      const std::string_view rest = std::string_view(text).substr(i + mark->size());
+      const auto digits = static_cast<std::size_t>(
+          std::find_if_not(rest.begin(), rest.end(), isDigit) - rest.begin());
+      if (digits != 3) return text;
+      i += mark->size();
+    }
+    out += text[i];
+  }
+  return out + text.substr(i);
+}
+
+}  // namespace
+
+Result<double> parsedNumber(std::string_view typed) {
+  const std::string whole = trimmed(typed);
+  std::string text = withoutGroups(whole);
+  if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+    text[text.find(',')] = '.';
+  double value = 0;
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
+  if (text.empty() || code != std::errc() || end != text.data() + text.size() ||
+      !std::isfinite(value))
+    return Error::unusable("'" + whole + "' is not a number; write 12.5 or 12,5, without a unit.");
+  return value;
+}
+
+std::string numberText(double value) {
+  char buffer[40];
+  const auto end = std::to_chars(std::begin(buffer), std::end(buffer), value).ptr;
+  return {std::begin(buffer), end};
+}
+
+std::vector<std::string> splitTerms(std::string_view text) {
+  std::vector<std::string> terms;
+  while (true) {
+    const std::size_t at = text.find(';');
+    std::string term = trimmed(text.substr(0, at));
+    if (!term.empty() && std::find(terms.begin(), terms.end(), term) == terms.end())
+      terms.push_back(std::move(term));
+    if (at == std::string_view::npos) return terms;
+    text.remove_prefix(at + 1);
+  }
+}
+
+std::string joinTerms(const std::vector<std::string>& terms) {
+  std::string out;
+  for (const std::string& term : terms) {
+    if (!out.empty()) out += "; ";
+    out += term;
+  }
+  return out;
+}
+
+std::string termsJson(const std::vector<std::string>& terms) {
+  return nlohmann::json(terms).dump();
+}
+
+std::vector<std::string> termsFromJson(std::string_view text) {
+  const nlohmann::json json = jsonOrDiscarded(text);
+  std::vector<std::string> terms;
+  if (json.is_array())
+    for (const nlohmann::json& term : json)
+      if (term.is_string()) terms.push_back(term.get<std::string>());
+  return terms;
+}
+
+Result<std::string> checkedPath(std::string_view typed) {
+  if (!isUtf8(typed))
+    return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
+  const Result<ContainedPath> path = ContainedPath::parse(composed(typed));
+  if (!path) return path.error();
+  return path->text();
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,335 @@
+#include "tables/column_mapping.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "files/files.h"
+#include "files/json_text.h"
+#include "store/names.h"
+#include "store/values.h"
+#include "tables/column_names.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kSamples = 3, kMostLookedAt = 1000;
+constexpr const char* kSetting = "import_columns.";
+
+// Columns that an export writes beside the fields; they say nothing about the sherd itself.
+constexpr const char* kBeside[] = {"model_file",      "image_file",       "drawing_file",
+                                   "licence",         "mass_centre_x_mm", "mass_centre_y_mm",
+                                   "mass_centre_z_mm"};
+constexpr const char* kByHand = "measured_by_hand";
+
+template <class List>
+bool holds(const List& list, const std::string& name) {
+  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+// The same columns in another order are the same kind of table.
+std::string settingOf(std::vector<std::string> columns) {
+  std::sort(columns.begin(), columns.end());
+  return kSetting + sha256(json(columns).dump()).substr(0, 32);
+}
+
+std::string cell(const CsvRow& row, std::size_t column) {
+  return column < row.values.size() ? catalogue::trimmed(unguarded(row.values[column]))
+                                    : std::string();
+}
+
+// Below it the numbers of a field are rather of its next larger unit: few walls are thinner than
+// 2.5 mm, and as few thicker than 2.5 cm.
+double leastOwn(const std::string& field) {
+  if (field.starts_with("thickness")) return 2.5;
+  if (field == "rim_diameter_mm") return 45;
+  return field == "weight_g" ? 1 : 15;
+}
+
+struct Units {
+  std::string unit;
+  bool guessed = false;
+};
+
+Units proposedUnit(const CsvTable& table, std::size_t column, const std::string& field) {
+  const std::vector<std::string> units = unitsOf(field);
+  if (units.size() < 2) return {units.empty() ? std::string() : units.front(), false};
+  std::vector<double> values;
+  bool says_itself = true;
+  for (const CsvRow& row : table.rows) {
+    if (values.size() == kMostLookedAt) break;
+    const std::string value = cell(row, column);
+    if (value.empty() || value.starts_with('<')) continue;
+    if (const Result<double> number = catalogue::parsedNumber(value)) {
+      values.push_back(*number);
+      says_itself = false;
+    }
+  }
+  if (values.empty()) return {units.front(), !says_itself};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return {*middle < leastOwn(field) ? units[1] : units[0], true};
+}
+
+Error noUnit(const std::string& unit, const std::string& field, const std::string& where) {
+  return {ErrorCode::UnusableInput, "The field " + field + " has no unit '" + unit + "'.", where};
+}
+
+class Mapper {
+ public:
+  Mapper(const CsvTable& table, const std::string& where) : table_(table), where_(where) {
+    for (const std::string& column : table.columns) mapping_.columns.push_back({column, {}});
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      ColumnChoice& choice = mapping_.columns[i];
+      choice.by = ChosenBy::Nobody;
+      for (const CsvRow& row : table.rows) {
+        if (choice.samples.size() == kSamples) break;
+        const std::string value = cell(row, i);
+        if (!value.empty() && !holds(choice.samples, value)) choice.samples.push_back(value);
+      }
+    }
+  }
+
+  Result<void> take(const std::vector<ColumnChoice>& chosen, ChosenBy by) {
+    for (const ColumnChoice& one : chosen) {
+      const auto found =
+          std::find_if(mapping_.columns.begin(), mapping_.columns.end(),
+                       [&](const ColumnChoice& column) { return column.column == one.column; });
+      if (found == mapping_.columns.end())
+        return Error{ErrorCode::UnusableInput, "The table has no column '" + one.column + "'.",
+                     where_};
+      if (found->by != ChosenBy::Nobody) continue;
+      if (by == ChosenBy::Earlier && !one.field.empty() && isTaken(one.field)) continue;
+      found->field = one.field;
+      found->unit = one.unit;
+      found->by = by;
+    }
+    return {};
+  }
+
+  Result<TableMapping> finish() {
+    mapping_.of_contexts = !namesSherds();
+    for (ColumnChoice& choice : mapping_.columns)  // exact names come before other languages
+      if (choice.by == ChosenBy::Nobody) byExactName(choice);
+    for (ColumnChoice& choice : mapping_.columns)
+      if (choice.by == ChosenBy::Nobody) byName(choice);
+    if (mapping_.of_contexts && !(isTaken("site") && isTaken("context")))
+      return Error{ErrorCode::UnusableInput,
+                   "The table needs a column for the sherds' numbers, or columns for site and "
+                   "context (contexts); select them.",
+                   where_};
+    for (std::size_t i = 0; i < mapping_.columns.size(); ++i)
+      if (Result<void> good = settle(mapping_.columns[i], i); !good) return good.error();
+    return std::move(mapping_);
+  }
+
+ private:
+  bool namesSherds() const {
+    const auto& columns = mapping_.columns;
+    return std::any_of(columns.begin(), columns.end(), [](const ColumnChoice& choice) {
+      const std::string field =
+          choice.by == ChosenBy::Nobody ? fieldOfColumn(choice.column, false) : choice.field;
+      return field == "number" || field == "uuid";
+    });
+  }
+  bool isTaken(const std::string& field) const {
+    const auto& columns = mapping_.columns;
+    return std::any_of(columns.begin(), columns.end(),
+                       [&](const ColumnChoice& choice) { return choice.field == field; });
+  }
+  void byExactName(ColumnChoice& choice) {
+    const bool known = holds(fieldsOfTables(mapping_.of_contexts), choice.column) ||
+                       choice.column == kByHand ||
+                       (choice.column.starts_with("extra.") && choice.column.size() > 6);
+    if (holds(kBeside, choice.column) && !mapping_.of_contexts) {
+      choice.by = ChosenBy::Name;
+      return;
+    }
+    if (!known || isTaken(choice.column)) return;
+    choice.field = choice.column;
+    choice.by = ChosenBy::Name;
+    if (!unitsOf(choice.field).empty()) choice.unit = unitsOf(choice.field).front();
+  }
+  void byName(ColumnChoice& choice) {
+    const NameAndUnit parts = nameAndUnit(choice.column);
+    std::string field = fieldOfColumn(choice.column, mapping_.of_contexts);
+    std::string unit;
+    if (field.empty() || field != choice.column) {
+      const std::string without = fieldOfColumn(parts.name, mapping_.of_contexts);
+      if (!parts.unit.empty() && holds(unitsOf(without), parts.unit)) {
+        field = without;
+        unit = parts.unit;
+      }
+    }
+    if (field.empty() || isTaken(field)) {
+      choice.field = "extra." + choice.column;
+      return;
+    }
+    choice.field = field;
+    choice.unit = unit;
+    choice.by = ChosenBy::Name;
+  }
+  Result<void> settle(ColumnChoice& choice, std::size_t at) {
+    if (choice.field.empty()) return {};
+    const bool known = choice.isOwn() || choice.field == kByHand ||
+                       holds(fieldsOfTables(mapping_.of_contexts), choice.field);
+    if (!known)
+      return Error{ErrorCode::UnusableInput, "There is no field '" + choice.field + "'.", where_};
+    for (std::size_t i = 0; i < at; ++i)
+      if (mapping_.columns[i].field == choice.field)
+        return Error{ErrorCode::UnusableInput,
+                     "The columns '" + mapping_.columns[i].column + "' and '" + choice.column +
+                         "' are both for the field " + choice.field + "; leave one of them out.",
+                     where_};
+    if (choice.unit.empty()) {
+      const Units units = proposedUnit(table_, at, choice.field);
+      choice.unit = units.unit;
+      choice.unit_guessed = units.guessed;
+    }
+    if (!choice.unit.empty() && !holds(unitsOf(choice.field), choice.unit))
+      return noUnit(choice.unit, choice.field, where_);
+    return {};
+  }
+
+  const CsvTable& table_;
+  const std::string& where_;
+  TableMapping mapping_;
+};
+
+std::vector<ColumnChoice> remembered(const catalogue::Catalogue& catalogue, const CsvTable& table) {
+  const Result<std::string> text = catalogue.setting(settingOf(table.columns));
+  std::vector<ColumnChoice> choices;
+  const json saved = text ? jsonOrDiscarded(*text) : json();
+  if (!saved.is_object()) return choices;
+  for (const auto& [column, choice] : saved.items())
+    if (choice.is_array() && choice.size() == 2 && choice[0].is_string() && choice[1].is_string())
+      choices.push_back({column, choice[0], choice[1]});
+  return choices;
+}
+
+// Of text like 1,2 ± 0,1: both parts.
+std::optional<std::string> shifted(const std::string& text, int tens) {
+  const Result<double> number = catalogue::parsedNumber(text);
+  if (!number) return std::nullopt;
+  // The shortest decimal with another exponent: no rounding comes in.
+  std::array<char, 48> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number,
+                                 std::chars_format::scientific)
+                       .ptr;
+  const std::string written(digits.data(), end);
+  const std::size_t e = written.find('e');
+  const int exponent = std::atoi(written.c_str() + e + 1) + tens;
+  const std::string other = written.substr(0, e) + "e" + std::to_string(exponent);
+  double value = 0;
+  std::from_chars(other.data(), other.data() + other.size(), value);
+  return catalogue::numberText(value);
+}
+
+}  // namespace
+
+std::vector<std::string> fieldsOfTables(bool of_contexts) {
+  if (of_contexts)
+    return {"site",         "trench",        "context",  "kind",    "excavated_on",
+            "period",       "date_edtf",     "closed",   "note",    "bag",
+            "collected_on", "count_written", "weight_g", "storage", "uuid"};
+  std::vector<std::string> fields;
+  for (const catalogue::SherdField& field : catalogue::sherdFields())
+    fields.emplace_back(field.name);
+  return fields;
+}
+
+std::string inOwnUnit(const std::string& value, const std::string& unit, const std::string& field) {
+  std::string text = catalogue::trimmed(value);
+  const std::size_t last = text.find_last_of("0123456789");
+  std::string in = unit;
+  if (last != std::string::npos && last + 1 < text.size())
+    if (const std::string said = unitNamed(text.substr(last + 1)); !said.empty()) {
+      const std::vector<std::string> known = unitsOf(field);
+      if (std::find(known.begin(), known.end(), said) == known.end()) return value;
+      in = said;
+      text.resize(last + 1);
+    }
+  const int tens = tensBetween(in, field);
+  if (tens == 0) return text;
+  for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
+    if (const std::size_t at = text.find(sign); at != std::string::npos) {
+      const auto number = shifted(text.substr(0, at), tens);
+      const auto half = shifted(text.substr(at + sign.size()), tens);
+      return number && half ? *number + " \u00b1 " + *half : value;
+    }
+  return shifted(text, tens).value_or(value);
+}
+
+Result<TableMapping> mapColumns(const catalogue::Catalogue& catalogue, const CsvTable& table,
+                                const std::vector<ColumnChoice>& chosen, const std::string& where) {
+  Mapper mapper(table, where);
+  if (Result<void> taken = mapper.take(chosen, ChosenBy::Person); !taken) return taken.error();
+  if (Result<void> taken = mapper.take(remembered(catalogue, table), ChosenBy::Earlier); !taken)
+    return taken.error();
+  return mapper.finish();
+}
+
+CsvTable mapped(const CsvTable& table, const TableMapping& mapping) {
+  CsvTable out;
+  out.separator = table.separator;
+  for (const ColumnChoice& choice : mapping.columns)
+    if (!choice.field.empty()) out.columns.push_back(choice.field);
+  for (const CsvRow& row : table.rows) {
+    CsvRow values{row.line, {}};
+    for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
+      const ColumnChoice& choice = mapping.columns[i];
+      if (choice.field.empty()) continue;
+      const std::string value = catalogue::trimmed(unguarded(row.values[i]));
+      // A number that is read in two ways is refused as it was written.
+      const bool clear = table.separator != ',' || readsOneWay(value);
+      values.values.push_back(unitsOf(choice.field).empty() || !clear
+                                  ? value
+                                  : inOwnUnit(value, choice.unit, choice.field));
+    }
+    out.rows.push_back(std::move(values));
+  }
+  return out;
+}
+
+Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping) {
+  std::vector<std::string> columns;
+  json choices = json::object();
+  for (const ColumnChoice& choice : mapping.columns) {
+    columns.push_back(choice.column);
+    choices[choice.column] = {choice.field, choice.unit};
+  }
+  return catalogue.setSetting(settingOf(columns), choices.dump());
+}
+
+Result<ColumnChoice> parseColumnChoice(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string_view::npos || equals == 0)
+    return Error{
+        ErrorCode::UnusableInput,
+        "'" + std::string(text) + "' maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.",
+        {}};
+  ColumnChoice choice{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+  if (const std::size_t colon = choice.field.find(':'); colon != std::string::npos) {
+    choice.unit = unitNamed(choice.field.substr(colon + 1));
+    if (choice.unit.empty())
+      return noUnit(choice.field.substr(colon + 1), choice.field.substr(0, colon), {});
+    choice.field.resize(colon);
+  }
+  if (choice.field == "-") choice.field.clear();
+  if (choice.field.empty() || choice.isOwn()) return choice;
+  for (const bool contexts : {false, true})
+    for (const std::string& field : fieldsOfTables(contexts))
+      if (choice.field == field) return choice;
+  for (const bool contexts : {false, true})
+    if (const std::string field = fieldOfColumn(choice.field, contexts); !field.empty()) {
+      choice.field = field;
+      return choice;
+    }
+  return Error{ErrorCode::UnusableInput, "There is no field '" + choice.field + "'.", {}};
+}
+
+}  // namespace ostraka::exchange

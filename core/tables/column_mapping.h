@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "tables/csv.h"
+
+namespace ostraka::exchange {
+
+/// Who says which field a column belongs to.
+enum class ChosenBy { Name, Earlier, Person, Nobody };
+
+/// What becomes of one column of a table.
+struct ColumnChoice {
+  std::string column;  ///< as the table names it
+  /// One of sherdFields() or of the columns of contexts; extra.NAME: a field of the user's own;
+  /// empty: the column is left out.
+  std::string field;
+  std::string unit = {};  ///< of its values, see unitsOf(); empty of texts
+  ChosenBy by = ChosenBy::Person;
+  bool unit_guessed = false;              ///< from its values: nothing else says it
+  std::vector<std::string> samples = {};  ///< the first values that are not blank
+  bool isOwn() const { return field.starts_with("extra."); }
+};
+
+struct TableMapping {
+  bool of_contexts = false;  ///< no column is a sherd's number or uuid
+  std::vector<ColumnChoice> columns;
+};
+
+/// What each column of a table is taken for: what `chosen` says of it, else what was chosen for a
+/// table with these columns before, else its name, else a field of its own. Errors: a choice of a
+/// column, field or unit that is not there; two columns of one field.
+Result<TableMapping> mapColumns(const catalogue::Catalogue& catalogue, const CsvTable& table,
+                                const std::vector<ColumnChoice>& chosen, const std::string& where);
+
+/// The table with the fields' names as columns and all values in the fields' own units; what is
+/// left out is gone. Texts that are no numbers stay as they are. Each row fits the header.
+CsvTable mapped(const CsvTable& table, const TableMapping& mapping);
+
+/// For the next table with the same columns, in whatever order.
+Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping);
+
+/// COLUMN=FIELD or COLUMN=FIELD:unit, as typed; FIELD may lack its unit (weight), be extra.NAME, or
+/// '-' to leave the column out. Errors: neither.
+Result<ColumnChoice> parseColumnChoice(std::string_view text);
+/// All that a column may be chosen as, own fields aside.
+std::vector<std::string> fieldsOfTables(bool of_contexts);
+
+/// A value in `unit` as one in the field's own, exactly: 1.5 kg is 1500, 1,2 cm is 12. A unit
+/// behind the value comes before `unit`. What cannot be read stays as it is.
+std::string inOwnUnit(const std::string& value, const std::string& unit, const std::string& field);
+
+}  // namespace ostraka::exchange

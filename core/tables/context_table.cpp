@@ -1,0 +1,259 @@
+// Sites, trenches, contexts and bags from a table.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "base/text.h"
+#include "files/json_text.h"
+#include "store/names.h"
+#include "store/values.h"
+#include "tables/csv.h"
+#include "tables/import_table.h"
+#include "tables/portions.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+
+Error unknown(const std::string& what, const std::string& code) {
+  return {ErrorCode::UnusableInput,
+          "There is no " + what + " " + code + "; create it or let the import create it.",
+          {}};
+}
+
+// Sets a text from a column: blank keeps, <clear> empties.
+class Values {
+ public:
+  Values(const CsvTable& table, const CsvRow& row) : table_(table), row_(row) {}
+  std::string raw(const std::string& column) const {
+    const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
+    if (found == table_.columns.end()) return {};
+    const auto index = static_cast<std::size_t>(found - table_.columns.begin());
+    return index < row_.values.size() ? row_.values[index] : std::string();
+  }
+  void text(const std::string& column, std::string& value) const {
+    const std::string read = raw(column);
+    if (!read.empty()) value = read == "<clear>" ? std::string() : read;
+  }
+  // The user's own fields with what their columns say.
+  std::string extra(const std::string& before) const {
+    nlohmann::ordered_json fields = orderedJsonOrDiscarded(before);
+    if (!fields.is_object()) fields = nlohmann::ordered_json::object();
+    for (const std::string& column : table_.columns) {
+      if (!column.starts_with("extra.")) continue;
+      const std::string name = column.substr(6);
+      std::string value = fields.contains(name) && fields[name].is_string()
+                              ? fields[name].get<std::string>()
+                              : std::string();
+      text(column, value);
+      value.empty() ? (void)fields.erase(name) : (void)(fields[name] = value);
+    }
+    return fields.dump();
+  }
+  Result<void> number(const std::string& column, std::optional<double>& value) const {
+    const std::string read = raw(column);
+    if (read.empty()) return {};
+    const std::optional<double> before = std::exchange(value, std::nullopt);
+    if (read == "<clear>") return {};
+    const Result<double> parsed = parsedNumber(read);
+    if (!parsed) return parsed.error();
+    if (table_.separator == ',' && before != *parsed)
+      if (Result<void> clear = readsOneWay(read); !clear) return clear;
+    value = *parsed;
+    return {};
+  }
+
+ private:
+  const CsvTable& table_;
+  const CsvRow& row_;
+};
+
+template <class Record, class Row>
+Record* byRow(std::vector<Record>& records, Row row) {
+  const auto found =
+      std::find_if(records.begin(), records.end(), [&](const Record& r) { return r.row == row; });
+  return found == records.end() ? nullptr : &*found;
+}
+
+Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values,
+                      const Provenance& provenance) {
+  const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
+  if (!row) return row.error();
+  Result<ContextRecord> found = catalogue.context(*row);
+  if (!found) return found.error();
+  ContextRecord context = *found;
+  values.text("kind", context.kind);
+  values.text("excavated_on", context.excavated_on);
+  values.text("period", context.period);
+  values.text("date_edtf", context.date_edtf);
+  values.text("note", context.note);
+  const std::string closed = uniqueKey(values.raw("closed"));
+  if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
+    return Error{ErrorCode::UnusableInput, "The column closed accepts yes or no.", {}};
+  if (!closed.empty()) context.closed = closed == "yes";
+  context.extra_json = values.extra(context.extra_json);
+  if (const auto saved = catalogue.save(context, provenance); !saved) return saved.error();
+  const std::string number = values.raw("bag");
+  if (number.empty()) return {};
+  const auto bag_row = places.bag(*row, number);
+  if (!bag_row) return bag_row.error();
+  Result<std::vector<BagRecord>> bags = catalogue.bags(*row);
+  if (!bags) return bags.error();
+  BagRecord bag = *byRow(*bags, *bag_row);
+  values.text("collected_on", bag.collected_on);
+  values.text("storage", bag.storage);
+  if (Result<void> weight = values.number("weight_g", bag.weight_g); !weight) return weight;
+  std::optional<double> count;
+  if (bag.count_written) count = *bag.count_written;
+  if (Result<void> counted = values.number("count_written", count); !counted) return counted;
+  if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
+    return Error{ErrorCode::UnusableInput, "The column count_written accepts a whole number.", {}};
+  bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
+  const auto saved = catalogue.save(bag, provenance);
+  return saved ? Result<void>() : saved.error();
+}
+
+// Each row whole or not at all, and what became of it.
+class ContextRows {
+ public:
+  ContextRows(Catalogue& catalogue, const CsvTable& table, const Provenance& provenance,
+              ImportReport& report)
+      : catalogue_(catalogue),
+        table_(table),
+        provenance_(provenance),
+        report_(report),
+        places_(catalogue, UnknownPlaces::Make, provenance) {
+  }  // a table of contexts is there to make them
+
+  Result<void> row(const CsvRow& row) {
+    const Values values(table_, row);
+    const auto known =
+        catalogue_.contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
+    const bool fresh = !known || !*known;
+    const std::int64_t before = catalogue_.historyLength();
+    const Result<void> entered =
+        catalogue_.together([&] { return enterRow(catalogue_, places_, values, provenance_); });
+    if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
+    if (!entered) {
+      places_.forget();
+      places_.forgetMade();
+      refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
+      return {};
+    }
+    const bool changed = catalogue_.historyLength() > before;
+    ++(fresh ? report_.fresh : changed ? report_.changed : report_.same);
+    report_.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
+                                        : changed ? RowFate::Changed
+                                                  : RowFate::Same);
+    for (const std::string& place : places_.made()) made_.insert(place);
+    places_.forgetMade();
+    return {};
+  }
+  std::vector<std::string> madePlaces() const { return {made_.begin(), made_.end()}; }
+
+ private:
+  void refuse(Refusal refusal) {
+    ++report_.refused;
+    report_.rows.emplace_back(refusal.line, RowFate::Refused);
+    report_.refusals.push_back(std::move(refusal));
+  }
+
+  Catalogue& catalogue_;
+  const CsvTable& table_;
+  const Provenance& provenance_;
+  ImportReport& report_;
+  Places places_;
+  std::set<std::string> made_;
+};
+
+}  // namespace
+
+Result<ContextRow> Places::context(const std::string& site_code, const std::string& trench_code,
+                                   const std::string& number) {
+  const std::string key =
+      uniqueKey(site_code) + "\n" + uniqueKey(trench_code) + "\n" + uniqueKey(number);
+  if (const auto known = known_.find(key); known != known_.end()) return ContextRow{known->second};
+  const Result<ContextRow> there = catalogue_.contextByPlace(site_code, trench_code, number);
+  if (!there) return there;
+  if (*there) {
+    known_[key] = there->value;
+    return there;
+  }
+  if (unknown_ == UnknownPlaces::Refuse)
+    return unknown("context", site_code + " " + trench_code + " " + number);
+  SiteRow site;
+  const Result<std::vector<SiteRecord>> sites = catalogue_.sites();
+  if (!sites) return sites.error();
+  for (const SiteRecord& s : *sites)
+    if (uniqueKey(s.code) == uniqueKey(site_code)) site = s.row;
+  if (!site) {
+    SiteRecord record;
+    record.code = record.name = site_code;
+    const Result<SiteRow> made = catalogue_.save(record, provenance_);
+    if (!made) return made.error();
+    site = *made;
+    made_.push_back(site_code);
+  }
+  TrenchRow trench;
+  if (!trench_code.empty()) {
+    const Result<std::vector<TrenchRecord>> trenches = catalogue_.trenches();
+    if (!trenches) return trenches.error();
+    for (const TrenchRecord& t : *trenches)
+      if (t.site == site && uniqueKey(t.code) == uniqueKey(trench_code)) trench = t.row;
+    if (!trench) {
+      TrenchRecord record;
+      record.site = site;
+      record.code = trench_code;
+      const Result<TrenchRow> made = catalogue_.save(record, provenance_);
+      if (!made) return made.error();
+      trench = *made;
+      made_.push_back(site_code + " " + trench_code);
+    }
+  }
+  ContextRecord record;
+  record.site = site;
+  record.trench = trench;
+  record.number = number;
+  const Result<ContextRow> made = catalogue_.save(record, provenance_);
+  if (made) known_[key] = made->value;
+  return made;
+}
+
+Result<BagRow> Places::bag(ContextRow context, const std::string& number) {
+  const std::string key = std::to_string(context.value) + "\n" + uniqueKey(number);
+  if (const auto known = known_.find(key); known != known_.end()) return BagRow{known->second};
+  const Result<std::vector<BagRecord>> bags = catalogue_.bags(context);
+  if (!bags) return bags.error();
+  for (const BagRecord& bag : *bags)
+    if (uniqueKey(bag.number) == uniqueKey(number)) {
+      known_[key] = bag.row.value;
+      return bag.row;
+    }
+  if (unknown_ == UnknownPlaces::Refuse) return unknown("bag", number);
+  BagRecord record;
+  record.context = context;
+  record.number = number;
+  const Result<BagRow> made = catalogue_.save(record, provenance_);
+  if (made) known_[key] = made->value;
+  return made;
+}
+
+Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
+                                    const ImportOptions& options, const Provenance& provenance,
+                                    Progress& progress, std::stop_token stop) {
+  ImportReport report;
+  ContextRows entering(catalogue, table, provenance, report);
+  const Result<std::size_t> entered =
+      enterInPortions(catalogue, table.rows.size(), options, progress, stop,
+                      [&](std::size_t i) { return entering.row(table.rows[i]); });
+  if (!entered) return entered.error();
+  report.not_reached = static_cast<int>(table.rows.size() - *entered);
+  if (const std::vector<std::string> made = entering.madePlaces(); !made.empty())
+    report.warnings.push_back("New sites and trenches: " + joined(made, ", ") +
+                              "; check for typos.");
+  return report;
+}
+
+}  // namespace ostraka::exchange

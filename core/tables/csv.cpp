@@ -1,0 +1,271 @@
+#include "tables/csv.h"
+
+#include <algorithm>
+
+#include "base/limits.h"
+#include "store/names.h"
+
+namespace ostraka::exchange {
+namespace {
+
+constexpr std::size_t kMostRows = limits::kTableRows.most,
+                      kMostField = limits::kTableFieldBytes.most;
+constexpr std::string_view kBom = "\xEF\xBB\xBF";
+constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
+
+void appendUtf8(std::string& out, char32_t c) {
+  if (c < 0x80) {
+    out += static_cast<char>(c);
+  } else if (c < 0x800) {
+    out += static_cast<char>(0xC0 | c >> 6);
+    out += static_cast<char>(0x80 | (c & 0x3F));
+  } else if (c < 0x10000) {
+    out += static_cast<char>(0xE0 | c >> 12);
+    out += static_cast<char>(0x80 | (c >> 6 & 0x3F));
+    out += static_cast<char>(0x80 | (c & 0x3F));
+  } else {
+    out += static_cast<char>(0xF0 | c >> 18);
+    out += static_cast<char>(0x80 | (c >> 12 & 0x3F));
+    out += static_cast<char>(0x80 | (c >> 6 & 0x3F));
+    out += static_cast<char>(0x80 | (c & 0x3F));
+  }
+}
+
+// A lone half of a surrogate pair becomes bytes that the check for UTF-8 refuses.
+std::string fromUtf16(std::string_view bytes, bool big_endian) {
+  const auto unit = [&](std::size_t i) {
+    const auto a = static_cast<unsigned char>(bytes[i]),
+               b = static_cast<unsigned char>(bytes[i + 1]);
+    return static_cast<char32_t>(big_endian ? a << 8 | b : b << 8 | a);
+  };
+  std::string out;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+    char32_t c = unit(i);
+    if (c >= 0xD800 && c < 0xDC00 && i + 3 < bytes.size()) {
+      const char32_t low = unit(i + 2);
+      if (low >= 0xDC00 && low < 0xE000) {
+        c = 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00);
+        i += 2;
+      }
+    }
+    appendUtf8(out, c);
+  }
+  return out;
+}
+
+Result<std::string> decoded(std::string_view bytes, const std::string& where) {
+  std::string text;
+  if (bytes.starts_with("\xFF\xFE"))
+    text = fromUtf16(bytes, false);
+  else if (bytes.starts_with("\xFE\xFF"))
+    text = fromUtf16(bytes, true);
+  else
+    text = bytes;
+  // Programs that put their mark before a text that has one leave several.
+  while (text.starts_with(kBom)) text.erase(0, kBom.size());
+  if (text.find('\0') != std::string::npos)
+    return Error::unusable("Not a text file: it contains binary data, which a table never does.",
+                           where);
+  if (!catalogue::isUtf8(text)) {
+    std::size_t good = 0;
+    int line = 1;
+    for (; good < text.size(); ++line) {
+      const std::size_t end = std::min(text.find('\n', good), text.size());
+      if (!catalogue::isUtf8(std::string_view(text).substr(good, end - good))) break;
+      good = end + 1;
+    }
+    return Error::unusable("Line " + std::to_string(line) +
+                               " is not in UTF-8; save the table as 'CSV UTF-8' and try again.",
+                           where);
+  }
+  return text;
+}
+
+// Some programs quote the first name together with the mark of the file.
+std::string columnNamed(std::string_view written) {
+  std::string name = catalogue::trimmed(written);
+  while (name.starts_with(kBom)) name = catalogue::trimmed(name.substr(kBom.size()));
+  return name;
+}
+
+// Of the three, the one that the header has most of, outside quotation marks.
+char separatorOf(std::string_view text) {
+  int counts[3] = {0, 0, 0};
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '\n' || c == '\r') break;
+    const std::size_t which = std::string_view(",;\t").find(c);
+    if (which != std::string_view::npos) ++counts[which];
+  }
+  const auto most = std::max_element(std::begin(counts), std::end(counts));
+  return ",;\t"[most - std::begin(counts)];
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, char separator, const std::string& where)
+      : text_(text), separator_(separator), where_(where) {}
+
+  Result<std::vector<CsvRow>> rows() {
+    std::vector<CsvRow> all;
+    while (at_ < text_.size()) {
+      CsvRow row;
+      row.line = line_;
+      bool more = true;
+      while (more) {
+        Result<std::string> value = field();
+        if (!value) return value.error();
+        row.values.push_back(std::move(*value));
+        more = at_ < text_.size() && text_[at_] == separator_;
+        if (more) ++at_;
+      }
+      endOfLine();
+      if (row.values.size() == 1 && row.values[0].empty()) continue;
+      if (all.size() > kMostRows)
+        return Error::unusable("The table has more than 1,000,000 rows; split it.", where_);
+      all.push_back(std::move(row));
+    }
+    return all;
+  }
+
+ private:
+  Result<std::string> field() {
+    std::string value;
+    const int begin = line_;
+    if (at_ < text_.size() && text_[at_] == '"') {
+      ++at_;
+      while (true) {
+        if (at_ >= text_.size())
+          return Error::unusable(
+              "Line " + std::to_string(begin) + " has an unclosed quotation mark.", where_);
+        if (text_[at_] == '"') {
+          if (at_ + 1 >= text_.size() || text_[at_ + 1] != '"') break;
+          ++at_;
+        }
+        if (text_[at_] == '\n') ++line_;
+        value += text_[at_++];
+        if (value.size() > kMostField) return tooLong(begin);
+      }
+      ++at_;
+      if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
+          text_[at_] != '\r')
+        return Error::unusable(
+            "Line " + std::to_string(line_) + " has characters after a closing quotation mark.",
+            where_);
+      return value;
+    }
+    const std::size_t end =
+        std::min(text_.find_first_of(std::string{separator_, '\r', '\n'}, at_), text_.size());
+    if (end - at_ > kMostField) return tooLong(begin);
+    value = text_.substr(at_, end - at_);
+    at_ = end;
+    return value;
+  }
+
+  void endOfLine() {
+    if (at_ < text_.size() && text_[at_] == '\r') ++at_;
+    if (at_ < text_.size() && text_[at_] == '\n') ++at_;
+    ++line_;
+  }
+
+  Error tooLong(int line) const {
+    return Error::unusable("Line " + std::to_string(line) + " has a value longer than 1 MB.",
+                           where_);
+  }
+
+  std::string_view text_;
+  char separator_;
+  const std::string& where_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+}  // namespace
+
+Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
+  const Result<std::string> text = decoded(bytes, where);
+  if (!text) return text.error();
+  CsvTable table;
+  table.separator = separatorOf(*text);
+  Result<std::vector<CsvRow>> rows = Parser(*text, table.separator, where).rows();
+  if (!rows) return rows.error();
+  if (rows->empty())
+    return Error::unusable("The table is empty; its first line must name the columns.", where);
+  for (const std::string& column : rows->front().values)
+    table.columns.push_back(columnNamed(column));
+  rows->erase(rows->begin());
+  table.rows = std::move(*rows);
+  return table;
+}
+
+std::string csvLine(const std::vector<std::string>& values) {
+  std::string line;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) line += ',';
+    // A row of one empty value would be an empty line, and a column's name full of semicolons would
+    // be taken for many columns.
+    const bool quote = values[i].find_first_of(",;\t\"\r\n") != std::string::npos ||
+                       (values.size() == 1 && values[i].empty());
+    if (!quote) {
+      line += values[i];
+      continue;
+    }
+    line += '"';
+    for (const char c : values[i]) {
+      if (c == '"') line += '"';
+      line += c;
+    }
+    line += '"';
+  }
+  return line + "\r\n";
+}
+
+std::string guarded(std::string_view text) {
+  const std::size_t first = text.find_first_not_of('\'');
+  if (first != std::string_view::npos && kFormulaStarts.find(text[first]) != std::string_view::npos)
+    return "'" + std::string(text);
+  return std::string(text);
+}
+
+std::string unguarded(std::string_view text) {
+  const std::size_t first = text.find_first_not_of('\'');
+  if (first != std::string_view::npos && first > 0 &&
+      kFormulaStarts.find(text[first]) != std::string_view::npos)
+    text.remove_prefix(1);
+  return std::string(text);
+}
+
+namespace {
+
+Error inTwoWays(const std::string& whole, char mark, const std::string& rest) {
+  const char decimal = mark == ',' ? '.' : ',';
+  return Error::unusable("'" + whole + mark + rest + "' can be read as " + whole + rest +
+                         " or as " + whole + decimal + rest + "; write one of the two.");
+}
+
+}  // namespace
+
+Result<void> readsOneWay(std::string_view number, char mark) {
+  constexpr std::string_view kDigits = "0123456789";
+  // Of 1,250 ± 2,5 each; 1 250,125 has its thousands apart already.
+  for (std::size_t at = number.find(mark); at != std::string_view::npos;
+       at = number.find(mark, at + 1)) {
+    const std::size_t before = number.find_last_not_of(kDigits, at - (at > 0 ? 1 : 0));
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t end = std::min(number.find_first_not_of(kDigits, at + 1), number.size());
+    const std::string ahead = catalogue::trimmed(number.substr(0, begin));
+    const std::string behind = catalogue::trimmed(number.substr(end));
+    const bool alone =
+        (ahead.empty() || ahead.ends_with("±") || ahead.back() == '-' || ahead.back() == '+') &&
+        (behind.empty() || behind.starts_with("±") || behind.front() == '+');
+    const std::size_t digits = at - std::min(begin, at);
+    if (!alone || digits < 1 || digits > 3 || number[begin] == '0' || end - at != 4) continue;
+    return inTwoWays(std::string(number.substr(begin, digits)), mark,
+                     std::string(number.substr(at + 1, 3)));
+  }
+  return {};
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,59 @@
+#include "tables/import_places.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/text.h"
+#include "store/values.h"
+
+namespace ostraka::exchange {
+namespace {
+
+struct ImportPlace {
+  const char* folder;
+  std::set<std::string> endings;
+  std::set<std::string> names;  // of files with other endings
+};
+
+const std::vector<ImportPlace>& importPlaces() {
+  static const std::vector<ImportPlace> kAll = {
+      {"batches",
+       {".jpg", ".jpeg", ".png", ".tif", ".tiff"},
+       {"plate.json", "board.json", "scale.json", "rig.json"}},
+      {"results", {".ply", ".png"}, {"pairs.json", "report.json"}},
+      {"models", {".ply", ".glb", ".obj", ".png"}, {}},
+      {"imported", {".ply", ".glb", ".obj", ".png", ".jpg", ".svg", ".pdf"}, {}}};
+  return kAll;
+}
+
+bool isOfTheProgram(const std::string& part) {
+  return part.starts_with('.') || part == "work" || part.ends_with(".partial");
+}
+
+}  // namespace
+
+Result<ContainedPath> importPlace(const std::string& path, const std::string& batch) {
+  const auto refused = [&] {
+    return Error::unusable(
+        "The export names a location in the project where no such file belongs; nothing was "
+        "imported.",
+        path.substr(0, 255));
+  };
+  const Result<std::string> text = catalogue::checkedPath(path);
+  if (!text) return text.error();
+  Result<ContainedPath> parsed = ContainedPath::parse(*text);
+  if (!parsed) return parsed;
+  const std::vector<std::string>& parts = parsed->parts();
+  if (parts.size() < 3 || std::any_of(parts.begin(), parts.end(), isOfTheProgram)) return refused();
+  const std::string name = lowerCase(parts.back());
+  const std::string ending = std::filesystem::path(name).extension().string();
+  for (const ImportPlace& place : importPlaces()) {
+    if (parts[0] != place.folder) continue;
+    const bool own = batch.empty() ? parts[0] == "imported" : parts[1] == batch;
+    if (own && (place.endings.contains(ending) || place.names.contains(name))) return parsed;
+  }
+  return refused();
+}
+
+}  // namespace ostraka::exchange

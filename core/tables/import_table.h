@@ -1,0 +1,128 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "tables/column_mapping.h"
+
+namespace ostraka::exchange {
+
+/// A preview does everything and takes it back: what it counts is what entering will do.
+enum class ImportMode { Preview, Enter };
+enum class UnknownPlaces { Refuse, Make };
+/// Rows with a measured value that the catalogue asks about (ChangePreview::question).
+enum class AskedRows { Hold, Enter };
+
+struct ImportOptions {
+  ImportMode mode = ImportMode::Preview;
+  UnknownPlaces unknown_places = UnknownPlaces::Refuse;
+  std::string source = {};  ///< name of the table, for unfinishedImports()
+  AskedRows asked_rows = AskedRows::Hold;
+  std::set<int> confirmed_lines = {};      ///< of them, those that enter all the same
+  std::vector<ColumnChoice> columns = {};  ///< of importTable; the others are proposed
+};
+
+constexpr const char* kClear = "<clear>";
+
+/// One sherd to be entered: values by the names of sherdFields(); others go to the user's own
+/// fields. A blank value keeps what is there, kClear deletes it.
+struct ImportRow {
+  int line = 0;
+  std::map<std::string, std::string> values;
+  std::vector<std::pair<catalogue::Measurement, std::string>> measured;  ///< and by whose initials
+  /// Of a new sherd. Not by its number in values: each project has a B0001.
+  catalogue::BatchRow batch = {};
+  /// Columns of numbers that persons took, the others are a program's; none: nothing is said.
+  std::optional<std::set<std::string>> by_hand = {};
+  bool comma_separates = false;  ///< the columns of its table, see readsOneWay
+};
+
+struct Refusal {
+  int line = 0;
+  std::string column, value, reason;
+};
+enum class RowFate { Fresh, Same, Changed, Refused, Asked };
+struct ImportReport {
+  int fresh = 0, same = 0, changed = 0, refused = 0;
+  int asked = 0;        ///< rows that did not enter: a person has to confirm a value
+  int not_reached = 0;  ///< rows of which nothing is entered, since the import was stopped
+  std::vector<Refusal> refusals, questions;
+  std::vector<std::string> warnings;
+  TableMapping mapping = {};                  ///< of a table
+  std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
+  /// Of sherds that were there before: what is changed, and what takes it back, in order.
+  std::vector<catalogue::FieldChange> changes, undo;
+};
+
+/// Refused rows stay out, the others enter, each of them whole, some at a time so that others can
+/// write between; within Catalogue::together all at once. When it is stopped or fails, the rows
+/// entered so far stay and unfinishedImports() tells of it: the same import goes on, for doing it
+/// twice changes nothing. Errors: Cancelled of a preview, what keeps the catalogue from writing.
+Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
+                                  const std::vector<ImportRow>& rows, const ImportOptions& options,
+                                  const catalogue::Provenance& provenance, Progress& progress,
+                                  std::stop_token stop);
+
+/// A table of sherds (a column has their numbers or uuids) or of contexts (site, trench, context,
+/// bag ...), as CSV; its columns go where mapColumns says, which is remembered once they entered.
+/// Errors: what parseCsv and mapColumns refuse, a column that is there twice.
+Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
+                                 const std::string& where, const ImportOptions& options,
+                                 const catalogue::Provenance& provenance, Progress& progress,
+                                 std::stop_token stop);
+
+/// An import that was stopped, or whose program or computer was.
+struct UnfinishedImport {
+  std::string source;  ///< as ImportOptions said
+  int entered = 0, of = 0;
+};
+/// One for each source, the latest last, until it is imported to its end or forgotten.
+std::vector<UnfinishedImport> unfinishedImports(const catalogue::Catalogue& catalogue);
+Result<void> forgetUnfinishedImports(catalogue::Catalogue& catalogue);
+
+/// line, column, value, reason: to be mended in a spreadsheet. Refused rows, then asked ones.
+std::string refusalsCsv(const ImportReport& report);
+
+/// Runs `work` as one transaction that a preview takes back.
+Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,
+                            const std::function<Result<void>()>& work);
+
+struct CsvTable;
+/// The second kind of importTable, mapped; stopped and gone on with as importSherds.
+Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
+                                    const ImportOptions& options,
+                                    const catalogue::Provenance& provenance, Progress& progress,
+                                    std::stop_token stop);
+
+/// Finds site, trench, context and bag by their codes, or makes what is missing.
+class Places {
+ public:
+  Places(catalogue::Catalogue& catalogue, UnknownPlaces unknown,
+         const catalogue::Provenance& provenance)
+      : catalogue_(catalogue), unknown_(unknown), provenance_(provenance) {}
+  /// Errors: an unknown place that must not be made.
+  Result<catalogue::ContextRow> context(const std::string& site, const std::string& trench,
+                                        const std::string& number);
+  Result<catalogue::BagRow> bag(catalogue::ContextRow context, const std::string& number);
+  void forget() { known_.clear(); }  ///< after a row was taken back
+  /// Codes of sites ("ARM1") and trenches ("ARM1 T3") that were made since they were forgotten.
+  const std::vector<std::string>& made() const { return made_; }
+  void forgetMade() { made_.clear(); }
+
+ private:
+  catalogue::Catalogue& catalogue_;
+  UnknownPlaces unknown_;
+  catalogue::Provenance provenance_;
+  std::map<std::string, std::int64_t> known_;
+  std::vector<std::string> made_;
+};
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,100 @@
+#include <charconv>
+#include <cmath>
+
+#include "turntables/grbl.h"
+
+namespace ostraka::capture {
+namespace {
+
+std::optional<double> firstNumber(std::string_view text) {
+  double value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || !std::isfinite(value)) return std::nullopt;
+  if (end != text.data() + text.size() && *end != ',') return std::nullopt;
+  return value;
+}
+
+std::optional<int> codeAfter(std::string_view line, std::string_view start) {
+  if (!line.starts_with(start)) return std::nullopt;
+  line.remove_prefix(start.size());
+  int code = 0;
+  const auto [end, failed] = std::from_chars(line.data(), line.data() + line.size(), code);
+  if (failed != std::errc() || end != line.data() + line.size()) return std::nullopt;
+  return code;
+}
+
+std::string alarmWords(int code) {
+  switch (code) {
+    case 1:
+    case 3:
+      return "The turntable was stopped while moving and lost its position: align the zero mark";
+    case 2:
+      return "The turntable's controller reports a turn beyond its travel: switch $20 off";
+    case 6:
+    case 8:
+    case 9:
+      return "Homing failed: check the zero switch and its cable";
+    default:
+      return "The turntable's controller raised an alarm";
+  }
+}
+
+std::string errorWords(int code) {
+  switch (code) {
+    case 1:
+    case 2:
+    case 3:
+    case 20:
+      return "The controller does not understand the command: wrong controller type or bad cable";
+    case 5:
+      return "The turntable has no zero switch";
+    case 8:
+      return "The turntable is still moving";
+    case 9:
+      return "The turntable is locked: home it or unlock it";
+    default:
+      return "The turntable's controller rejected a command";
+  }
+}
+
+}  // namespace
+
+std::optional<GrblReport> parseGrblReport(std::string_view line) {
+  if (line.size() < 3 || line.front() != '<' || line.back() != '>') return std::nullopt;
+  line = line.substr(1, line.size() - 2);
+  if (line.find_first_of("<>") != std::string_view::npos) return std::nullopt;
+  GrblReport report;
+  bool first = true;
+  while (!line.empty() || first) {
+    const std::size_t bar = line.find('|');
+    const std::string_view field = line.substr(0, bar);
+    line = bar == std::string_view::npos ? std::string_view() : line.substr(bar + 1);
+    if (first) {
+      report.state = field;
+      first = false;
+      continue;
+    }
+    std::optional<double>* place = field.starts_with("MPos:")   ? &report.machine
+                                   : field.starts_with("WPos:") ? &report.work
+                                   : field.starts_with("WCO:")  ? &report.offset
+                                                                : nullptr;
+    if (place == nullptr) continue;
+    *place = firstNumber(field.substr(field.find(':') + 1));
+    if (!*place) return std::nullopt;  // garbled
+  }
+  const std::string state = report.state.substr(0, report.state.find(':'));
+  for (const char* known :
+       {"Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep"})
+    if (state == known) return report;
+  return std::nullopt;
+}
+
+std::optional<std::string> grblTrouble(std::string_view line) {
+  if (const auto code = codeAfter(line, "ALARM:"))
+    return alarmWords(*code) + " (ALARM:" + std::to_string(*code) + ").";
+  if (const auto code = codeAfter(line, "error:"))
+    return errorWords(*code) + " (error:" + std::to_string(*code) + ").";
+  return std::nullopt;
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,12 @@
+#pragma once
+#include <memory>
+
+#include "devices/turntable.h"
+
+namespace ostraka::capture {
+
+/// A table without a motor: a person is told where to turn it. The markers in the photographs check
+/// that they did.
+std::unique_ptr<Turntable> openHandTurntable(AskPerson ask);
+
+}  // namespace ostraka::capture

@@ -1,0 +1,379 @@
+#include "turntables/text_turntable.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "base/text.h"
+#include "devices/conversation.h"
+#include "files/json_numbers.h"
+
+namespace ostraka::capture {
+namespace {
+
+std::string filledIn(std::string text, const std::string& name, double value) {
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name))
+    text.replace(at, name.size(), fixed(value, 3));
+  return text;
+}
+
+class TextTurntable final : public Turntable {
+  static constexpr double kTolerance_deg = 0.1;
+  static constexpr int kTries = 3;
+  static constexpr double kHoming_s = 60;
+  static constexpr double kBoot_s = 3;
+  static constexpr double kTrail_s = 0.3;  // within which the end of an answer follows it
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  enum class Answer { Accepted, Arrived, Refused, Restarted, Lost };
+
+ public:
+  TextTurntable(std::unique_ptr<ByteChannel> channel, const TextTableOptions& options,
+                std::shared_ptr<Clock> clock)
+      : line_(std::move(channel), std::move(clock), options.dialect.end),
+        options_(options),
+        words_(options.dialect),
+        where_(line_.channel().name()),
+        accepted_(words_.accepted),
+        refused_(words_.refused),
+        restarted_(words_.restarted),
+        arrived_(words_.arrived),
+        busy_(words_.busy),
+        place_(words_.position) {}
+  ~TextTurntable() override { close(); }
+  TextTurntable(const TextTurntable&) = delete;
+  TextTurntable& operator=(const TextTurntable&) = delete;
+
+  // Many boards restart when their line is opened, and hear nothing meanwhile. What they say then
+  // is no answer to anything; the first command has to be understood.
+  Result<void> connect(std::stop_token stop) {
+    position_deg_ = kUnknown;
+    saw_restart_ = false;
+    for (double end_s = now_s() + kBoot_s; !words_.restarted.empty() && now_s() < end_s;) {
+      const auto message = line_.next(end_s - now_s(), stop);
+      if (!message) return message.error();
+      if (stop.stop_requested()) return Error::cancelled();
+      if (*message && isRestart(**message)) end_s = std::min(end_s, now_s() + kTrail_s);
+    }
+    for (int k = 0; k < kTries; ++k) {
+      if (Result<void> r = drain(); !r) return r;
+      Result<Answer> answer = Answer::Accepted;
+      for (const std::string& command : words_.begin) {
+        answer = say(command, words_.reply_s, stop);
+        if (!answer) return answer.error();
+        if (*answer != Answer::Accepted) break;
+      }
+      if (*answer == Answer::Accepted) return {};
+    }
+    return gone("The turntable does not answer as a " + words_.name + "; check its type.");
+  }
+
+  std::string name() const override { return words_.name + " at " + where_; }
+
+  Result<void> home(std::stop_token stop) override {
+    if (words_.home.empty()) return gone("This turntable has no zero switch: align it by eye.");
+    position_deg_ = kUnknown;
+    if (Result<void> r = obey(words_.home, kHoming_s, stop); !r) return r;
+    if (!words_.still.empty())
+      if (Result<void> r = obey(words_.still, kHoming_s, stop); !r) return r;
+    return zeroHere(std::move(stop));
+  }
+
+  Result<void> zeroHere(std::stop_token stop) override {
+    if (!words_.zero.empty())
+      if (Result<void> r = obey(words_.zero, words_.reply_s, std::move(stop)); !r) return r;
+    position_deg_ = 0;
+    return {};
+  }
+
+  Result<void> moveTo(double degrees, std::stop_token stop) override {
+    halt_ = false;
+    const double start = position_deg_;
+    if (std::isnan(start))
+      return Error{ErrorCode::NotEnough,
+                   "The turntable's position is unknown: home it or align it.", where_};
+    if (start == degrees) return {};
+    position_deg_ = kUnknown;  // until it has arrived
+    Result<void> turned = turn(start, degrees, stop);
+    if (turned)
+      position_deg_ = degrees;
+    else if (turned.error().code == ErrorCode::Missing)
+      findOut({});
+    return turned;
+  }
+
+  void stopNow() override { halt_ = true; }
+  std::optional<double> position_deg() const override {
+    const double now = position_deg_;
+    return std::isnan(now) ? std::nullopt : std::optional(now);
+  }
+
+  // A line that was only cut leaves the controller counting; it is asked.
+  Result<void> reopen(std::stop_token stop) override {
+    if (Result<void> r = line_.channel().reopen(stop); !r) return r;
+    line_.forget();
+    if (Result<void> r = connect(stop); !r) return r;
+    findOut(std::move(stop));
+    return {};
+  }
+  void close() override {
+    if (closed_) return;
+    closed_ = true;
+    line_.channel().close();
+  }
+
+ private:
+  double now_s() { return line_.clock().now_s(); }
+  double sign() const { return options_.clockwise ? -1 : 1; }
+  bool turnsBySteps() const { return words_.move.find("{by}") != std::string::npos; }
+  Error gone(const std::string& what) const { return {ErrorCode::Missing, what, where_}; }
+  static bool says(const std::string& line, const std::string& word, const std::regex& regex) {
+    return !word.empty() && std::regex_search(line, regex);
+  }
+
+  bool isRestart(const std::string& line) {
+    if (!says(line, words_.restarted, restarted_)) return false;
+    saw_restart_ = true;
+    position_deg_ = kUnknown;
+    return true;
+  }
+
+  Result<void> drain() {
+    for (int k = 0; k < 1000; ++k) {
+      const auto message = line_.waiting();
+      if (!message) return message.error();
+      if (!*message) return {};
+      (void)isRestart(**message);
+    }
+    return {};
+  }
+
+  Result<Answer> say(const std::string& command, double patience_s, std::stop_token stop) {
+    if (Result<void> r = drain(); !r) return r.error();
+    if (Result<void> r = line_.send(command + words_.end); !r) return r.error();
+    return hear(patience_s, std::move(stop));
+  }
+
+  Result<Answer> hear(double patience_s, std::stop_token stop) {
+    double deadline_s = now_s() + patience_s;
+    while (true) {
+      const auto message = line_.next(std::min(0.1, std::max(0.0, deadline_s - now_s())), stop);
+      if (!message) return message.error();
+      if (*message) {
+        const std::string& line = **message;
+        if (isRestart(line)) return Answer::Restarted;
+        if (says(line, words_.refused, refused_)) {
+          complaint_ = line;
+          return Answer::Refused;
+        }
+        if (says(line, words_.arrived, arrived_)) return Answer::Arrived;
+        if (says(line, words_.accepted, accepted_)) return Answer::Accepted;
+        if (says(line, words_.busy, busy_)) deadline_s = now_s() + patience_s;
+      }
+      if (stop.stop_requested() || halt_) return halted();
+      if (now_s() >= deadline_s) return Answer::Lost;
+    }
+  }
+
+  Error halted() {
+    if (!words_.stop.empty()) (void)line_.send(words_.stop + words_.end);
+    return Error::cancelled();
+  }
+
+  Error trouble(Answer answer) const {
+    if (answer == Answer::Restarted)
+      return {ErrorCode::NotEnough,
+              "The controller restarted; the turntable's position is unknown.", where_};
+    if (answer == Answer::Refused)
+      return {ErrorCode::Failed, "The turntable rejects the command: " + complaint_ + ".", where_};
+    return gone("The turntable does not answer.");
+  }
+
+  // Only for commands that may be said twice.
+  Result<void> obey(const std::string& command, double patience_s, std::stop_token stop) {
+    Answer last = Answer::Lost;
+    for (int k = 0; k < kTries && last == Answer::Lost; ++k) {
+      const Result<Answer> answer = say(command, patience_s, stop);
+      if (!answer) return answer.error();
+      last = *answer;
+    }
+    if (last == Answer::Accepted || last == Answer::Arrived) return {};
+    return trouble(last);
+  }
+
+  Result<void> turn(double start, double target, std::stop_token stop) {
+    const double patience_s = 1.5 * std::abs(target - start) / options_.speed_deg_s + 3;
+    std::string move = filledIn(words_.move, "{target}", sign() * target);
+    move = filledIn(move, "{by}", sign() * (target - start));
+    move = filledIn(move, "{deg_min}", 60 * options_.speed_deg_s);
+    move = filledIn(move, "{deg_s}", options_.speed_deg_s);
+    Result<Answer> answer = say(move, words_.reply_s, stop);
+    for (int k = 1; k < kTries && answer && *answer == Answer::Lost && !turnsBySteps(); ++k)
+      answer = say(move, words_.reply_s, stop);
+    if (!answer) return answer.error();
+    if (*answer != Answer::Accepted && *answer != Answer::Arrived) return trouble(*answer);
+    if (!words_.still.empty()) {
+      if (Result<void> r = obey(words_.still, patience_s, stop); !r) return r;
+    } else if (!words_.arrived.empty() && *answer != Answer::Arrived) {
+      answer = hear(patience_s, stop);
+      if (!answer) return answer.error();
+      if (*answer != Answer::Arrived) return trouble(*answer);
+    } else if (words_.arrived.empty() && !line_.clock().sleep(patience_s, stop)) {
+      return halted();
+    }
+    if (words_.query.empty()) return {};
+    const Result<std::optional<double>> place = ask(stop);
+    if (!place) return place.error();
+    if (*place && std::abs(**place - target) > kTolerance_deg)
+      return gone("The turntable is at " + fixed(**place, 3) + " degrees instead of " +
+                  fixed(target, 3) + ".");
+    return {};
+  }
+
+  Result<std::optional<double>> ask(std::stop_token stop) {
+    for (int k = 0; k < kTries; ++k) {
+      if (Result<void> r = drain(); !r) return r.error();
+      if (Result<void> r = line_.send(words_.query + words_.end); !r) return r.error();
+      for (const double deadline_s = now_s() + words_.reply_s; now_s() < deadline_s;) {
+        const auto message = line_.next(deadline_s - now_s(), stop);
+        if (!message) return message.error();
+        if (stop.stop_requested()) return Error::cancelled();
+        if (!*message) break;
+        if (isRestart(**message)) return trouble(Answer::Restarted);
+        std::smatch found;
+        if (!std::regex_search(**message, found, place_) || found.size() < 2) continue;
+        const std::string digits = found[1].str();
+        double place = 0;
+        if (std::from_chars(digits.data(), digits.data() + digits.size(), place).ec != std::errc())
+          continue;
+        // Its "ok" must not be taken for that of the next command.
+        if (const Result<Answer> rest = hear(kTrail_s, stop); !rest) return rest.error();
+        return std::optional(sign() * place);
+      }
+    }
+    return std::optional<double>();
+  }
+
+  // Two equal answers: it stands there.
+  void findOut(std::stop_token stop) {
+    if (words_.query.empty() || saw_restart_) return;
+    std::optional<double> before;
+    for (int k = 0; k < 2 * kTries; ++k) {
+      const Result<std::optional<double>> place = ask(stop);
+      if (!place || !*place) return;
+      if (before && std::abs(*before - **place) < 1e-6) {
+        position_deg_ = **place;
+        return;
+      }
+      before = *place;
+      if (!line_.clock().sleep(0.5, stop)) return;
+    }
+  }
+
+  Conversation line_;
+  TextTableOptions options_;
+  const TextDialect words_;
+  std::string where_;
+  std::regex accepted_, refused_, restarted_, arrived_, busy_, place_;
+  std::string complaint_;
+  std::atomic<double> position_deg_ = kUnknown;
+  std::atomic<bool> halt_ = false;
+  bool saw_restart_ = false, closed_ = false;
+};
+
+}  // namespace
+
+TextDialect marlinDialect() {
+  TextDialect marlin;
+  marlin.name = "Marlin controller";
+  marlin.begin = {"G21", "G90"};
+  marlin.move = "G0 X{target} F{deg_min}";
+  marlin.still = "M400";
+  marlin.home = "G28 X";
+  marlin.zero = "G92 X0";
+  marlin.stop = "M410";
+  marlin.query = "M114";
+  marlin.accepted = "^ok";
+  marlin.refused = "^(Error|error|!!)";
+  marlin.restarted = "^(start|Marlin )";
+  marlin.busy = "busy:";
+  marlin.position = "^X: ?(-?[0-9.]+)";
+  return marlin;
+}
+
+Result<void> TextDialect::check() const {
+  const auto bad = [](const std::string& what) {
+    return Error{ErrorCode::UnusableInput, "The turntable's dialect: " + what, {}};
+  };
+  if (move.find("{target}") == std::string::npos && move.find("{by}") == std::string::npos)
+    return bad("'move' must contain {target} or {by}.");
+  if (accepted.empty()) return bad("'accepted' must describe its answer.");
+  if (query.empty() != position.empty())
+    return bad("'query' and 'position' must be given together.");
+  if (!(reply_s > 0)) return bad("'reply_s' must be greater than 0.");
+  for (const std::string& word : {accepted, refused, restarted, arrived, busy, position}) try {
+      const std::regex regex(word);
+    } catch (const std::regex_error&) {
+      return bad("'" + word + "' is not a regular expression.");
+    }
+  if (!position.empty() && std::regex(position).mark_count() < 1)
+    return bad("'position' needs a group for the angle.");
+  return {};
+}
+
+Result<void> TextTableOptions::check() const {
+  if (!(speed_deg_s > 0))
+    return Error{ErrorCode::UnusableInput, "The turntable's speed must be greater than 0.", {}};
+  return dialect.check();
+}
+
+Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
+  const Error unusable{
+      ErrorCode::UnusableInput,
+      "The turntable's 'dialect' must be \"marlin\" or an object with its commands.",
+      {}};
+  if (json == "marlin") return marlinDialect();
+  if (!json.is_object()) return unusable;
+  TextDialect d;
+  try {
+    d.name = json.value("name", "text controller");
+    const std::string end = json.value("end", "\n");
+    if (end.size() != 1) return unusable;
+    d.end = end[0];
+    d.begin = json.value("begin", std::vector<std::string>{});
+    d.move = json.at("move").get<std::string>();
+    d.reply_s = numberOr(json, "reply_s", d.reply_s, 0, 3600);
+    for (const auto& [key, word] : {std::pair<const char*, std::string*>{"still", &d.still},
+                                    {"home", &d.home},
+                                    {"zero", &d.zero},
+                                    {"stop", &d.stop},
+                                    {"query", &d.query},
+                                    {"accepted", &d.accepted},
+                                    {"refused", &d.refused},
+                                    {"restarted", &d.restarted},
+                                    {"arrived", &d.arrived},
+                                    {"busy", &d.busy},
+                                    {"position", &d.position}})
+      *word = json.value(key, std::string());
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused, unusable.what, unusable.where);
+  }
+  if (const Result<void> checked = d.check(); !checked) return checked.error();
+  return d;
+}
+
+Result<std::unique_ptr<Turntable>> openTextTable(std::unique_ptr<ByteChannel> channel,
+                                                 const TextTableOptions& options,
+                                                 std::shared_ptr<Clock> clock,
+                                                 std::stop_token stop) {
+  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  auto table = std::make_unique<TextTurntable>(std::move(channel), options, std::move(clock));
+  if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
+  return std::unique_ptr<Turntable>(std::move(table));
+}
+
+}  // namespace ostraka::capture

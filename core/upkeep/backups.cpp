@@ -1,0 +1,106 @@
+// Copies of the catalogue, and which of them make room for new ones.
+#include "upkeep/backups.h"
+
+#include <algorithm>
+#include <ctime>
+#include <set>
+
+#include "files/cannot_write.h"
+#include "store/database.h"
+#include "store/file_header.h"
+#include "store/partial_file.h"
+#include "upkeep/project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBackup = "catalogue-";  // and the time: 20261121-181557-123
+const std::size_t kDayLetters = kBackup.size() + 8;
+
+}  // namespace
+
+// 20261121-181557-123: sorts as time does.
+std::string timeStamp(std::int64_t now_ms) {
+  const std::time_t seconds = static_cast<std::time_t>(now_ms / 1000);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  char text[40];
+  const std::size_t size = std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &parts);
+  const std::string milliseconds = std::to_string(1000 + now_ms % 1000).substr(1);
+  return std::string(text, size) + "-" + milliseconds;
+}
+
+Result<fs::path> backUpInto(const fs::path& folder, const Catalogue& catalogue,
+                            const std::string& kind) {
+  // A connection still shows what it read before the file under it was emptied.
+  if (const Result<Pages> live = lookAtHeader(catalogue.database().file()); !live)
+    return live.error();
+  std::error_code code;
+  if (const Result<void> made = makeFolder(folder / "backups"); !made) return made.error();
+  PartialFile::removeLeftovers(folder / "backups");
+  fs::path file = folder / "backups" / (kBackup + timeStamp(catalogue.now()) + kind + ".sqlite");
+  for (int more = 2; fs::exists(file, code); ++more)
+    file = folder / "backups" /
+           (kBackup + timeStamp(catalogue.now()) + kind + "-" + std::to_string(more) + ".sqlite");
+  if (const Result<void> made = catalogue.backup(file); !made) return made.error();
+  return file;
+}
+
+Result<fs::path> Project::backUp(int keep, int days) const {
+  Result<fs::path> file = backUpInto(folder_, catalogue_, {});
+  if (!file) return file;
+  // Copies made before an update or a repair are for life; only the others make room.
+  std::error_code ignored;
+  const std::uintmax_t bytes = fs::file_size(*file, ignored);
+  int seen = 0;
+  std::set<std::string> seen_days;
+  for (const fs::path& old : backups()) {
+    const std::string name = old.filename().string();
+    if (name.find("-before-") != std::string::npos) continue;
+    const bool last_of_its_day = seen_days.insert(name.substr(0, kDayLetters)).second;
+    const bool kept_for_its_day = last_of_its_day && static_cast<int>(seen_days.size()) <= days;
+    const bool much_larger = fs::file_size(old, ignored) > bytes + bytes / 4;
+    if (++seen > keep && !kept_for_its_day && !much_larger && old != *file)
+      fs::remove(old, ignored);
+  }
+  return file;
+}
+
+Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
+  const Result<std::int64_t> changed = catalogue_.database().door([&] {
+    std::int64_t at = 0;
+    Statement last =
+        catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
+    if (last.next()) last >> at;
+    return at;
+  });
+  if (!changed) return changed.error();
+  // The names sort as their times do.
+  const auto nameAt = [](std::int64_t ms) { return kBackup + timeStamp(ms); };
+  std::string newest;
+  for (const fs::path& copy : backups())  // one of a later time is not the program's
+    if (std::string name = copy.filename().string(); name <= nameAt(catalogue_.now()) + "~")
+      newest = std::max(newest, std::move(name));
+  if (*changed == 0 || nameAt(*changed) < newest) return false;
+  if (nameAt(catalogue_.now() - after.count()) < newest) return false;
+  const Result<fs::path> made = backUp();
+  if (!made) return made.error();
+  return true;
+}
+
+std::vector<fs::path> backupsOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "backups", code))
+    if (entry.path().extension() == ".sqlite") files.push_back(entry.path());
+  std::sort(files.rbegin(), files.rend());
+  return files;
+}
+
+std::vector<fs::path> Project::backups() const {
+  return backupsOf(folder_);
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,157 @@
+#include "upkeep/file_check.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "catalogue/sherd_columns.h"
+#include "store/database.h"
+#include "store/file_header.h"
+#include "store/values.h"
+#include "upkeep/file_check_log.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kLongestRound_ms = 7LL * 24 * 3600 * 1000;  // then all is looked at anew
+
+// One file as it lies there now.
+Result<std::optional<Damage>> lookAt(const KnownFile& file, const fs::path& folder,
+                                     CheckDepth depth, const std::stop_token& stop) {
+  const fs::path path = folder / file.path;
+  std::error_code code;
+  if (!fs::exists(path, code) && !code) return std::optional(Damage::Missing);
+  Result<OpenFile> open = OpenFile::open(path);
+  if (!open) return std::optional(Damage::Unreadable);
+  if (depth == CheckDepth::NamesAndSizes || file.sha256.empty())
+    return open->bytes() == file.bytes ? std::nullopt : std::optional(Damage::Changed);
+  const Result<Checksum> found = checksumOf(*open, stop);
+  if (found) return damageOf(file, *found);
+  if (found.error().code == ErrorCode::Cancelled) return found.error();
+  return std::optional(Damage::Unreadable);
+}
+
+}  // namespace
+
+Result<std::vector<KnownFile>> knownFiles(const Catalogue& catalogue) {
+  return catalogue.database().door([&] {
+    std::vector<KnownFile> files;
+    Statement rows = catalogue.database().sql(
+        "SELECT f.path, f.sha256, f.role, f.bytes, iif(s.number = '', s.id, s.number), b.number "
+        "FROM file f LEFT JOIN sherd s ON s.row = f.sherd LEFT JOIN batch b ON b.row = f.batch "
+        "WHERE NOT (f.path GLOB 'results/*' AND ifnull(b.state, '') IN ('queued', 'computed', "
+        "'failed')) ORDER BY f.path");
+    while (rows.next()) {
+      KnownFile file;
+      rows >> file.path >> file.sha256 >> file.role >> file.bytes >> file.sherd >> file.batch;
+      files.push_back(std::move(file));
+    }
+    return files;
+  });
+}
+
+std::string sentenceOf(const DamagedFile& damaged) {
+  const KnownFile& file = damaged.file;
+  std::string of;
+  if (!file.sherd.empty()) of = "sherd " + file.sherd;
+  if (!file.batch.empty()) of += (of.empty() ? "batch " : ", batch ") + file.batch;
+  const std::string name = of.empty() ? file.path : file.path + " (" + of + ")";
+  switch (damaged.damage) {
+    case Damage::Missing:
+      return name + " is missing.";
+    case Damage::Changed:
+      return name + " has changed since it was entered.";
+    case Damage::Unreadable:
+      return name + " cannot be read.";
+  }
+  return name;
+}
+
+std::optional<Damage> damageOf(const KnownFile& file, const Checksum& found) {
+  const bool same = file.sha256.empty() ? found.bytes == file.bytes : found.sha256 == file.sha256;
+  return same ? std::nullopt : std::optional(Damage::Changed);
+}
+
+Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const fs::path& folder,
+                                CheckDepth depth, Progress& progress, std::stop_token stop) {
+  const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
+  if (!known) return known.error();
+  CheckedFiles result;
+  result.files = static_cast<std::int64_t>(known->size());
+  std::int64_t total = 0, done = 0;
+  for (const KnownFile& file : *known) total += file.bytes;
+  std::optional<FileCheckLog> log;
+  if (depth == CheckDepth::Hashes) log.emplace(folder);
+  if (log && log->begun_ms() < catalogue.now() - kLongestRound_ms) log->begin(catalogue.now());
+  for (const KnownFile& file : *known) {
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(done, total);
+    done += file.bytes;
+    const FileCheckLog::Seen* seen = log ? log->seen(file) : nullptr;
+    if (seen && !seen->damage && seen->at_ms >= log->begun_ms()) continue;
+    const Result<std::optional<Damage>> damage = lookAt(file, folder, depth, stop);
+    if (!damage) return damage.error();
+    ++result.checked;
+    if (log) log->note(file, catalogue.now(), *damage);
+    if (*damage) result.damaged.push_back({file, **damage});
+  }
+  if (log) log->end(catalogue.now());
+  return result;
+}
+
+Result<CheckedFiles> checkShare(const Catalogue& catalogue, const fs::path& folder,
+                                std::int64_t most_bytes, Progress& progress, std::stop_token stop) {
+  // Reads each page that is in use; unlike checkIntegrity it keeps nobody from writing.
+  const Result<std::string> pages = catalogue.database().door([&] {
+    std::string found;
+    Statement check = catalogue.database().sql("PRAGMA integrity_check(1)");
+    if (check.next()) check >> found;
+    return found;
+  });
+  if (!pages) return pages.error();
+  if (*pages != "ok") return damagedCatalogue(*pages, catalogue.database().file());
+  const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
+  if (!known) return known.error();
+  CheckedFiles result;
+  result.files = static_cast<std::int64_t>(known->size());
+  FileCheckLog log(folder);
+  const std::int64_t now = catalogue.now();
+  std::vector<std::tuple<bool, std::int64_t, std::size_t>> order;
+  for (std::size_t i = 0; i < known->size(); ++i) {
+    const FileCheckLog::Seen* seen = log.seen((*known)[i]);
+    // A clock that ran ahead must not keep a file from its turn for ever.
+    const std::int64_t at_ms = seen && seen->at_ms <= now ? seen->at_ms : 0;
+    order.emplace_back(!(seen && seen->damage), at_ms, i);
+  }
+  std::sort(order.begin(), order.end());
+  std::int64_t done = 0;
+  for (const auto& [is_whole, at_ms, i] : order) {
+    const KnownFile& file = (*known)[i];
+    if (stop.stop_requested()) return Error::cancelled();
+    if (done >= most_bytes) break;
+    progress.report(done, most_bytes);
+    done += std::max<std::int64_t>(file.bytes, 1);
+    const Result<std::optional<Damage>> damage = lookAt(file, folder, CheckDepth::Hashes, stop);
+    if (!damage) return damage.error();
+    ++result.checked;
+    log.note(file, catalogue.now(), *damage);
+    if (*damage) result.damaged.push_back({file, **damage});
+  }
+  return result;
+}
+
+Result<void> checkPaths(const Catalogue& catalogue) {
+  return catalogue.database().door([&] {
+    Statement rows = catalogue.database().sql(
+        "SELECT path FROM file UNION SELECT path FROM photograph UNION SELECT path FROM scan "
+        "UNION SELECT model_path FROM sherd UNION SELECT preview_path FROM sherd");
+    while (rows.next()) {
+      std::string path;
+      rows >> path;
+      if (!path.empty()) valueOrThrow(checkedPath(path));
+    }
+  });
+}
+
+}  // namespace ostraka::catalogue

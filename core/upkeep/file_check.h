@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "files/checksum.h"
+
+namespace ostraka::catalogue {
+
+/// A file that the catalogue knows, with the numbers by which people know what it is of.
+struct KnownFile {
+  std::string path, sha256, role;
+  std::int64_t bytes = 0;
+  std::string sherd, batch;  ///< numbers; a draft's id; empty where it is of none
+};
+/// In the order of their paths. Without the scans and reports of batches that wait to be computed
+/// or are being computed: those are replaced before the catalogue knows the new ones.
+Result<std::vector<KnownFile>> knownFiles(const Catalogue& catalogue);
+
+enum class Damage { Missing, Changed, Unreadable };
+struct DamagedFile {
+  KnownFile file;
+  Damage damage = Damage::Missing;
+};
+/// "models/B0001/…/model.ply (sherd ARM1-T3-0012-0007, batch B0001) was changed since it was
+/// entered.", for logs and lists.
+std::string sentenceOf(const DamagedFile& damaged);
+/// What is wrong with a file of which this was read; nothing when it is as it was entered.
+std::optional<Damage> damageOf(const KnownFile& file, const Checksum& found);
+
+enum class CheckDepth { Hashes, NamesAndSizes };
+struct CheckedFiles {
+  std::int64_t files = 0;    ///< that the catalogue knows
+  std::int64_t checked = 0;  ///< by this call; the others by earlier ones
+  std::vector<DamagedFile> damaged;
+};
+/// All of them, against what the catalogue holds. Progress counts bytes. A check of hashes that was
+/// interrupted in the last seven days goes on where it stood, which FOLDER/file-checks.txt keeps;
+/// what was damaged is looked at again. Errors: Cancelled, those of the catalogue.
+Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const std::filesystem::path& folder,
+                                CheckDepth depth, Progress& progress, std::stop_token stop);
+
+/// Every page of the catalogue, then a share of them: those that were damaged when last looked at,
+/// then those that were not looked at for longest, until most_bytes are read. Errors: Damaged (the
+/// catalogue itself), Cancelled, those of the catalogue.
+Result<CheckedFiles> checkShare(const Catalogue& catalogue, const std::filesystem::path& folder,
+                                std::int64_t most_bytes, Progress& progress, std::stop_token stop);
+
+/// That every path in the catalogue stays within the project: a catalogue from elsewhere may say
+/// anything.
+Result<void> checkPaths(const Catalogue& catalogue);
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "files/open_folder.h"
+#include "upkeep/file_check.h"
+
+namespace ostraka::catalogue {
+
+/// When each file was looked at last, and what was found: PROJECT/file-checks.txt, a line at a
+/// time, so that a check that is killed has lost nothing. It holds nothing that cannot be found
+/// again: one that cannot be read or written is left alone.
+class FileCheckLog {
+ public:
+  struct Seen {
+    std::int64_t at_ms = 0;
+    std::string sha256;  ///< as the catalogue had it then
+    std::optional<Damage> damage;
+  };
+  explicit FileCheckLog(const std::filesystem::path& project);
+  /// Null: never, or the catalogue holds another hash by now.
+  const Seen* seen(const KnownFile& file) const;
+  void note(const KnownFile& file, std::int64_t at_ms, std::optional<Damage> damage);
+  /// When the check of all files began that did not end; 0: none is under way.
+  std::int64_t begun_ms() const { return begun_ms_; }
+  void begin(std::int64_t at_ms);
+  void end(std::int64_t at_ms);
+
+ private:
+  void read(const std::string& line);
+  void write(const std::string& line);
+  void rewrite() const;
+  std::filesystem::path path_;
+  std::map<std::string, Seen> seen_;  ///< by path
+  std::int64_t begun_ms_ = 0;
+  FileDescriptor file_;  ///< opened when the first line is written
+  bool is_cut_off_ = false;
+};
+
+}  // namespace ostraka::catalogue

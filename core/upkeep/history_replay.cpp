@@ -1,0 +1,130 @@
+// What a catalogue's history says of rows that came from an older backup.
+#include <map>
+#include <set>
+
+#include "catalogue/sherd_columns.h"
+#include "store/database.h"
+#include "upkeep/row_repair.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using From = RepairedRow::From;
+
+struct Change {
+  std::string field, value;
+  PersonRow by;
+};
+
+// The last value of each field, in the order in which they were changed last.
+std::vector<Change> changesOf(Database& database, const RepairedRow& row, std::int64_t after) {
+  std::vector<Change> all;
+  Statement rows = database.sql(
+      "SELECT field, new, person FROM history h WHERE table_name = ?1 AND row = ?2 AND number > ?3 "
+      "AND number = (SELECT max(number) FROM history WHERE table_name = ?1 AND row = ?2 AND field "
+      "= h.field) ORDER BY number");
+  rows.with(row.table, row.row, after);
+  while (rows.next()) {
+    Change change;
+    rows >> change.field >> change.value >> change.by;
+    if (!change.field.empty()) all.push_back(std::move(change));
+  }
+  return all;
+}
+
+// False where the change itself is refused. A full disk ends everything.
+template <class Value>
+bool isDone(const Result<Value>& change) {
+  if (!change && change.error().code == ErrorCode::CannotWrite) throw Refused(change.error());
+  return change.has_value();
+}
+
+// Its uuid is what the history says first of a new sherd.
+bool addSherdOfHistory(Catalogue& repaired, std::int64_t row) {
+  Database& database = repaired.database();
+  Statement first = database.sql(
+      "SELECT new, at, person FROM history WHERE table_name = 'sherd' AND row = ? AND field = ''");
+  if (!first.with(row).next()) return false;
+  std::string id;
+  std::int64_t at = 0;
+  PersonRow by;
+  first >> id >> at >> by;
+  const Result<void> added = database.inTransaction([&] {
+    database
+        .sql(
+            "INSERT INTO sherd (row, id, created_at, created_by, updated_at, updated_by, "
+            "number_sort) VALUES (?, ?, ?, ?, ?, ?, ?)")
+        .with(row, id, at, by, at, by, kBehindAllNumbers)
+        .run();
+    database.sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
+    searchAnew(database, SherdRow{row});
+  });
+  return isDone(added);
+}
+
+// A column of another table: numbers are stored as such, and nothing as NULL where that may be.
+bool setColumn(Database& database, const RepairedRow& row, const Change& change) {
+  Statement known = database.sql(
+      "SELECT \"notnull\" FROM pragma_table_info(?) WHERE name = ? AND name NOT IN ('row', 'id')");
+  if (!known.with(row.table, change.field).next()) return false;
+  bool filled = false;
+  known >> filled;
+  const std::string value = filled ? "?1" : "nullif(?1, '')";
+  return isDone(database.inTransaction([&] {
+    database.sql("UPDATE " + row.table + " SET " + change.field + " = " + value + " WHERE row = ?2")
+        .with(change.value, row.row)
+        .run();
+  }));
+}
+
+// A place is named by several fields.
+bool changeTogether(Catalogue& repaired, const RepairedRow& row,
+                    const std::vector<Change>& changes) {
+  std::vector<FieldChange> fields;
+  for (const Change& change : changes)
+    fields.push_back({SherdRow{row.row}, change.field, change.value});
+  const PersonRow by = changes.empty() ? PersonRow{} : changes.back().by;
+  return isDone(repaired.change(fields, {by, "repair", {}}));
+}
+
+}  // namespace
+
+Result<void> replayHistory(Catalogue& repaired, std::int64_t last_known, RepairReport& report) {
+  Database& database = repaired.database();
+  std::vector<RepairedRow> unknown;
+  const Result<void> done = database.door([&] {
+    for (RepairedRow& row : report.rows) {
+      if (row.row == 0 || !row.field.empty()) continue;
+      const bool sherd = row.table == "sherd";
+      if (row.from == From::Nowhere) {
+        if (!sherd || !addSherdOfHistory(repaired, row.row)) continue;
+        row.from = From::History;
+      }
+      const std::int64_t after = row.from == From::Backup ? last_known : 0;
+      const std::vector<Change> changes = changesOf(database, row, after);
+      if (sherd && changeTogether(repaired, row, changes)) continue;
+      for (const Change& change : changes) {
+        const bool set =
+            sherd ? changeTogether(repaired, row, {change}) : setColumn(database, row, change);
+        if (!set) unknown.push_back({row.table, row.row, {}, change.field, From::Nowhere});
+      }
+    }
+  });
+  if (!done) return done;
+  report.rows.insert(report.rows.end(), unknown.begin(), unknown.end());
+  return database.inTransaction([&] {
+    std::vector<SherdRow> numberless;
+    {
+      Statement rows = database.sql(
+          "SELECT row FROM sherd WHERE number <> '' AND row NOT IN (SELECT sherd FROM "
+          "given_number)");
+      while (rows.next()) rows >> numberless.emplace_back();
+    }
+    for (const SherdRow& row : numberless) {
+      const SherdRecord sherd = valueOrThrow(repaired.sherd(row));
+      setNumber(repaired, sherd, sherd.number);
+    }
+  });
+}
+
+}  // namespace ostraka::catalogue

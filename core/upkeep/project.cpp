@@ -1,0 +1,188 @@
+#include "upkeep/project.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "files/cannot_write.h"
+#include "files/files.h"
+#include "records/numbering.h"
+#include "store/database.h"
+#include "store/file_header.h"
+#include "store/migrations.h"
+#include "store/names.h"
+#include "store/network_share.h"
+#include "store/partial_file.h"
+#include "store/values.h"
+#include "upkeep/backups.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFile = "catalogue.sqlite";
+constexpr std::array<const char*, 3> kFolders = {"batches", "results", "backups"};
+
+Catalogue::Clock orSystemClock(const Catalogue::Clock& clock) {
+  if (clock) return clock;
+  return [] {
+    return std::int64_t{std::chrono::duration_cast<std::chrono::milliseconds>(
+                            std::chrono::system_clock::now().time_since_epoch())
+                            .count()};
+  };
+}
+
+Error refused(std::string what, const fs::path& where) {
+  return {ErrorCode::UnusableInput, std::move(what), where.string()};
+}
+
+Result<void> checkFolder(const fs::path& folder) {
+  if (const std::string share = networkShareOf(fs::absolute(folder)); !share.empty())
+    return refused("The folder is on a network share (" + share +
+                       "), which can damage catalogues; use a folder on this computer's own disk "
+                       "and copy backups to the share.",
+                   folder);
+  return {};
+}
+
+Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& clock) {
+  using Mode = Database::Mode;
+  const fs::path file = folder / kFile;
+  std::error_code code;
+  if (!fs::is_regular_file(file, code))
+    return refused("Not an Ostraka project: this folder has no catalogue.sqlite.", folder);
+  const bool writable = mayBeWritten(folder) && mayBeWritten(file);
+  Result<std::unique_ptr<Database>> database =
+      Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
+  if (!database) return database.error();
+  Result<Catalogue> catalogue = Catalogue(std::move(*database), orSystemClock(clock));
+  const auto isOld = [&] { return catalogue->schemaVersion() < migrations().back().number; };
+  if (!writable && isOld())
+    return refused(
+        "An older Ostraka made this project, and it is read-only here; copy it to a folder that "
+        "you can write to, and open it there.",
+        folder);
+  bool saved = false;
+  const auto save = [&]() -> Result<void> {
+    if (std::exchange(saved, true)) return {};
+    const Result<fs::path> copy = backUpInto(folder, *catalogue, "-before-update");
+    return copy ? Result<void>() : copy.error();
+  };
+  if (!catalogue->database().hasChecksums()) {
+    if (const Result<void> done = save(); !done) return done.error();
+    catalogue = refused({}, {});  // closes it
+    if (const Result<void> done = addPageChecksums(file); !done) return done.error();
+    database = Database::open(file, Mode::ReadWrite);
+    if (!database) return database.error();
+    catalogue = Catalogue(std::move(*database), orSystemClock(clock));
+  }
+  if (const Result<void> done = migrate(catalogue->database(), migrations(), save); !done)
+    return done.error();
+  const Result<ProjectRecord> record = catalogue->project();
+  if (!record) return record.error();
+  if (record->id.empty()) return damagedCatalogue("it contains no project", file);
+  return catalogue;
+}
+
+// Nothing, or what a killed process left of a project that it was making.
+bool isFree(const fs::path& folder) {
+  std::error_code code;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = std::find(kFolders.begin(), kFolders.end(), name) != kFolders.end();
+    if (ours ? !fs::is_directory(entry.symlink_status()) || !fs::is_empty(entry.path(), code)
+             : !PartialFile::isLeftover(entry.path()))
+      return false;
+  }
+  return !code;
+}
+
+}  // namespace
+
+Result<Project> Project::create(const fs::path& folder, const ProjectRecord& record,
+                                const Catalogue::Clock& clock) {
+  std::error_code code;
+  const bool there = fs::exists(folder, code);
+  if (there && (!fs::is_directory(folder, code) || !isFree(folder)))
+    return refused("A new project needs a new or empty folder; choose another name.", folder);
+  if (const Result<void> good = checkFolder(folder); !good) return good.error();
+  const auto undone = [&](const Error& error) {
+    std::error_code ignored;
+    for (const char* name : kFolders) fs::remove(folder / name, ignored);
+    if (!there) fs::remove(folder, ignored);
+    return error;
+  };
+  for (const char* name : kFolders) {
+    fs::create_directories(folder / name, code);
+    if (code == std::errc::no_space_on_device) return undone(cannotWrite(folder, code.value()));
+    if (code)
+      return undone({ErrorCode::CannotWrite,
+                     "The folder cannot be created; choose a location that you can write to.",
+                     folder.string()});
+  }
+  PartialFile::removeLeftovers(folder);
+  const auto make = [&]() -> Result<void> {
+    Result<PartialFile> file = PartialFile::beside(folder / kFile);
+    if (!file) return file.error();
+    {
+      Result<std::unique_ptr<Database>> database =
+          Database::open(file->path(), Database::Mode::Create);
+      if (!database) return database.error();
+      const Result<void> ready = migrate(**database, migrations(), {});
+      if (!ready) return ready;
+      Catalogue catalogue(std::move(*database), orSystemClock(clock));
+      const Result<void> set = catalogue.setProject(record, {{}, "new project", {}});
+      if (!set) return set;
+    }
+    return file->become(folder / kFile, PartialFile::Existing::Refused);
+  };
+  if (const Result<void> made = make(); !made) return undone(made.error());
+  Result<Project> opened = open(folder, clock);
+  if (opened) return opened;
+  // What is said to have failed must not be in the way when it is tried again.
+  for (const char* part : {"-wal", "-shm", ""}) fs::remove((folder / kFile).string() + part, code);
+  return undone(opened.error());
+}
+
+Result<Project> Project::open(const fs::path& folder, const Catalogue::Clock& clock) {
+  if (const Result<void> good = checkFolder(folder); !good) return good.error();
+  Result<Catalogue> catalogue = openCatalogue(folder, clock);
+  if (!catalogue) return catalogue.error();
+  if (!catalogue->readOnly())
+    for (const fs::path& place : {folder, folder / "backups"}) PartialFile::removeLeftovers(place);
+  return Project(fs::absolute(folder), std::move(*catalogue));
+}
+
+bool Project::isProject(const fs::path& folder) {
+  std::error_code code;
+  return fs::is_regular_file(folder / kFile, code);
+}
+
+Result<Catalogue> Project::connect() const {
+  return connect(folder_);
+}
+
+Result<Catalogue> Project::connect(const fs::path& folder) {
+  return openCatalogue(folder, {});
+}
+
+fs::path Project::batchFolder(const std::string& number) const {
+  return folder_ / "batches" / number;
+}
+fs::path Project::resultsFolder(const std::string& number) const {
+  return folder_ / "results" / number;
+}
+fs::path Project::absolute(const std::string& relative) const {
+  return folder_ / relative;
+}
+
+Result<std::string> Project::relative(const fs::path& absolute) const {
+  const Result<std::string> path = checkedPath(
+      fs::absolute(absolute).lexically_normal().lexically_relative(folder_).generic_string());
+  if (!path) return refused("This file is outside the project's folder.", absolute);
+  return path;
+}
+
+}  // namespace ostraka::catalogue

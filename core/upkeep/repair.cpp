@@ -1,0 +1,267 @@
+#include "upkeep/repair.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "files/cannot_write.h"
+#include "files/files.h"
+#include "store/database.h"
+#include "store/file_header.h"
+#include "store/migrations.h"
+#include "store/partial_file.h"
+#include "upkeep/backups.h"
+#include "upkeep/page_repair.h"
+#include "upkeep/project.h"
+#include "upkeep/row_repair.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kWal = "-wal";
+
+std::int64_t systemTime() {
+  return std::int64_t{std::chrono::duration_cast<std::chrono::milliseconds>(
+                          std::chrono::system_clock::now().time_since_epoch())
+                          .count()};
+}
+
+// Every connection of another process holds a lock of SQLite's range; nobody of this process may
+// have one, since closing the file here would drop it.
+bool isInUse(const fs::path& file) {
+  const int fd = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+  if (fd < 0) return false;
+  constexpr off_t kPendingByte = 0x40000000;
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = kPendingByte;
+  lock.l_len = 512;
+  const bool used = ::fcntl(fd, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  ::close(fd);
+  return used;
+}
+
+class Repair {
+ public:
+  Repair(fs::path project, Progress& progress, std::stop_token stop, Catalogue::Clock clock)
+      : project_(std::move(project)),
+        file_(project_ / "catalogue.sqlite"),
+        progress_(progress),
+        stop_(std::move(stop)),
+        clock_(std::move(clock)) {}
+
+  Result<RepairReport> run() {
+    std::error_code failed;
+    Result<PartialFile> fresh = PartialFile::beside(file_);
+    if (!fresh) return fresh.error();
+    Result<PartialFile> copy = PartialFile::beside(file_);
+    if (!copy) return copy.error();
+    fs::copy_file(file_, copy->path(), fs::copy_options::overwrite_existing, failed);
+    if (!failed && fs::exists(file_.string() + kWal))
+      fs::copy_file(file_.string() + kWal, copy->path().string() + kWal, failed);
+    if (failed) return cannotWrite(file_, failed.value());
+    progress_.report(0, 4);
+    // Pages of before the checksums prove nothing.
+    if (const auto old = lookAtHeader(file_); old && *old == Pages::Plain)
+      if (const Result<bool> whole = isWhole(copy->path()); whole && *whole) return report_;
+    if (Result<void> found = findBackups(); !found) return found.error();
+    const Result<PageRepair> pages = repairPages(copy->path(), backups_);
+    if (!pages) return pages.error();
+    report_.pages = pages->pages;
+    report_.pages_by_bit = pages->by_bit;
+    report_.pages_by_backup = pages->by_backup;
+    report_.pages_lost = static_cast<int>(pages->lost.size());
+    progress_.report(1, 4);
+    if (stop_.stop_requested()) return Error::cancelled();
+    bool provable = pages->lost.empty();
+    if (provable) {
+      const Result<bool> whole = isWhole(copy->path());
+      if (!whole) return whole.error();
+      provable = *whole;
+    }
+    if (provable && pages->by_bit + pages->by_backup == 0) return report_;
+    if (!provable)
+      if (Result<void> made = makeFrom(copy->path(), *pages, *fresh); !made) return made.error();
+    progress_.report(3, 4);
+    if (stop_.stop_requested()) return Error::cancelled();
+    if (Result<void> put = putInPlace(provable ? *copy : *fresh); !put) return put.error();
+    return report_;
+  }
+
+ private:
+  Result<Catalogue> opened(const fs::path& file, Database::Mode mode) const {
+    Result<std::unique_ptr<Database>> database = Database::open(file, mode);
+    if (!database) return database.error();
+    return Catalogue(std::move(*database), clock_);
+  }
+
+  // A disk that takes nothing says nothing of the file.
+  Result<bool> isWhole(const fs::path& file) const {
+    const Result<void> whole = checked(file);
+    if (!whole && whole.error().code == ErrorCode::CannotWrite) return whole.error();
+    return whole.has_value();
+  }
+
+  Result<void> checked(const fs::path& file) const {
+    const Result<Catalogue> catalogue = opened(file, Database::Mode::ReadWrite);
+    return catalogue ? catalogue->checkIntegrity() : catalogue.error();
+  }
+
+  // The newest first; the first whole one is what rows are taken from.
+  Result<void> findBackups() {
+    backups_ = backupsOf(project_);
+    for (const fs::path& backup : backups_) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      const Result<Catalogue> catalogue = opened(backup, Database::Mode::ReadOnly);
+      if (!catalogue || !catalogue->checkIntegrity()) continue;
+      base_ = backup;
+      break;
+    }
+    return {};
+  }
+
+  Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages, PartialFile& fresh) {
+    if (base_.empty())
+      return Error{ErrorCode::Damaged,
+                   "The catalogue is damaged, and none of its backups is intact; copy one from an "
+                   "archive or another disk into the folder backups, then repair it again.",
+                   file_.string()};
+    report_.backup = base_;
+    // The backup itself stays as it is: an older one is brought to this program's schema first.
+    Result<PartialFile> base = PartialFile::beside(file_);
+    if (!base) return base.error();
+    {
+      const Result<Catalogue> original = opened(base_, Database::Mode::ReadOnly);
+      if (!original) return original.error();
+      if (Result<void> copied =
+              original->database().door([&] { original->database().copyTo(base->path()); });
+          !copied)
+        return copied;
+    }
+    if (Result<void> current = bringUpToDate(base->path()); !current) return current;
+    const Result<bool> rows = collect(damaged, pages, base->path(), fresh.path());
+    if (!rows) return rows.error();
+    report_.all_from_backup = !*rows;
+    if (!*rows) {
+      report_.rows.clear();
+      Result<Catalogue> source = opened(base->path(), Database::Mode::ReadWrite);
+      if (!source) return source.error();
+      fs::resize_file(fresh.path(), 0);
+      return source->database().door([&] { source->database().copyTo(fresh.path()); });
+    }
+    return checked(fresh.path());
+  }
+
+  Result<void> bringUpToDate(const fs::path& file) const {
+    if (Result<void> checked = addPageChecksums(file); !checked) return checked;
+    Result<Catalogue> catalogue = opened(file, Database::Mode::ReadWrite);
+    if (!catalogue) return catalogue.error();
+    return migrate(catalogue->database(), migrations(), []() -> Result<void> { return {}; });
+  }
+
+  // False where the damaged file says nothing that fits together.
+  Result<bool> collect(const fs::path& damaged, const PageRepair& pages, const fs::path& base,
+                       const fs::path& fresh) {
+    if (static_cast<int>(pages.lost.size()) >= pages.pages) return false;
+    if (const Result<bool> schema = takeSchemaPages(damaged, pages, base); !schema || !*schema)
+      return schema;
+    const Result<Catalogue> lost = opened(damaged, Database::Mode::ReadWrite);
+    Result<Catalogue> backup = opened(base, Database::Mode::ReadWrite);
+    if (!lost || !backup || lost->schemaVersion() != backup->schemaVersion()) return false;
+    Result<std::unique_ptr<Database>> database = Database::open(fresh, Database::Mode::Create);
+    if (!database) return database.error();
+    if (const Result<void> made = migrate(**database, migrations(), {}); !made) return made.error();
+    if (const Result<void> rows =
+            collectRows(lost->database(), backup->database(), **database, report_);
+        !rows)
+      return notForTheDisk(rows.error());
+    Catalogue repaired(std::move(*database), clock_);
+    const Result<std::int64_t> last = backup->database().door([&] {
+      std::int64_t number = 0;
+      Statement row = backup->database().sql("SELECT max(number) FROM history");
+      if (row.next()) row >> number;
+      return number;
+    });
+    if (!last) return false;
+    if (const Result<void> replayed = replayHistory(repaired, *last, report_); !replayed)
+      return notForTheDisk(replayed.error());
+    nameRows(repaired.database());
+    return true;
+  }
+
+  // Rows that do not fit together are taken from the backup; what finds no room is not.
+  static Result<bool> notForTheDisk(const Error& error) {
+    if (error.code == ErrorCode::CannotWrite) return error;
+    return false;
+  }
+
+  void nameRows(Database& database) {
+    const std::map<std::string, std::string> names = {
+        {"sherd", "number"},    {"batch", "number"}, {"context", "number"}, {"bag", "number"},
+        {"site", "code"},       {"trench", "code"},  {"file", "path"},      {"scan", "path"},
+        {"photograph", "path"}, {"person", "name"}};
+    for (RepairedRow& row : report_.rows) {
+      const auto name = names.find(row.table);
+      if (name == names.end() || row.row == 0) continue;
+      Statement found =
+          database.sql("SELECT " + name->second + " FROM " + row.table + " WHERE row = ?");
+      if (found.with(row.row).next()) found >> row.name;
+    }
+  }
+
+  // A copy lies among the backups first, and the damaged file beside the project's: killed at any
+  // moment, everything is there. Its WAL must not be left to the new file.
+  Result<void> putInPlace(PartialFile& made) {
+    {
+      const Result<Catalogue> catalogue = opened(made.path(), Database::Mode::ReadWrite);
+      if (!catalogue) return catalogue.error();
+      const Result<fs::path> saved = backUpInto(project_, *catalogue, {});
+      if (!saved) return saved.error();
+    }
+    std::error_code failed;
+    report_.damaged = project_ / ("catalogue-damaged-" + timeStamp(clock_()) + ".sqlite");
+    fs::copy_file(file_, report_.damaged, failed);
+    const fs::path wal = file_.string() + kWal;
+    if (!failed && fs::exists(wal)) {
+      fs::copy_file(wal, report_.damaged.string() + kWal, failed);
+      if (!failed) fs::remove(wal, failed);
+    }
+    if (failed) return cannotWrite(report_.damaged, failed.value());
+    if (Result<void> synced = syncFile(report_.damaged); !synced) return synced;
+    std::error_code ignored;
+    fs::remove(file_.string() + "-shm", ignored);
+    return made.become(file_, PartialFile::Existing::Replaced);
+  }
+
+  fs::path project_, file_;
+  Progress& progress_;
+  std::stop_token stop_;
+  Catalogue::Clock clock_;
+  std::vector<fs::path> backups_;
+  fs::path base_;
+  RepairReport report_;
+};
+
+}  // namespace
+
+Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress,
+                                     std::stop_token stop, const Catalogue::Clock& clock) {
+  if (!Project::isProject(project))
+    return Error{ErrorCode::UnusableInput,
+                 "Not an Ostraka project: this folder has no catalogue.sqlite.", project.string()};
+  if (isInUse(project / "catalogue.sqlite"))
+    return Error{ErrorCode::Failed,
+                 "Another program has this project open; close it there, then repair it.",
+                 project.string()};
+  PartialFile::removeLeftovers(project);
+  return Repair(fs::absolute(project), progress, std::move(stop), clock ? clock : systemTime).run();
+}
+
+}  // namespace ostraka::catalogue

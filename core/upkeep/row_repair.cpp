@@ -1,0 +1,245 @@
+#include "upkeep/row_repair.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/text.h"
+#include "catalogue/sherd_columns.h"
+#include "store/database.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using From = RepairedRow::From;
+
+// Written with each saved sherd, from other tables.
+const std::set<std::string> kDerived = {"sherd_term", "sherd_measure"};
+
+struct CatalogueTable {
+  std::string name;
+  std::string key;  ///< column of the row's number; empty for tables without
+  std::vector<std::string> columns;
+};
+
+std::int64_t numberOf(Database& database, const std::string& sql) {
+  std::int64_t number = 0;
+  Statement row = database.sql(sql);
+  if (row.next()) row >> number;
+  return number;
+}
+
+std::vector<std::string> textsOf(Database& database, const std::string& sql) {
+  std::vector<std::string> all;
+  Statement rows = database.sql(sql);
+  while (rows.next()) {
+    all.emplace_back();
+    rows >> all.back();
+  }
+  return all;
+}
+
+std::vector<CatalogueTable> tablesOf(Database& database) {
+  std::vector<CatalogueTable> all;
+  Statement tables = database.sql(
+      "SELECT name, wr FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND name "
+      "NOT LIKE 'sqlite_%' ORDER BY name");
+  while (tables.next()) {
+    CatalogueTable table;
+    bool without_rows = false;
+    tables >> table.name >> without_rows;
+    if (kDerived.contains(table.name)) continue;
+    if (!without_rows) table.key = "rowid";
+    Statement columns = database.sql("SELECT name, type, pk FROM pragma_table_info(?)");
+    columns.with(table.name);
+    while (columns.next()) {
+      std::string name, type;
+      int place_in_key = 0;
+      columns >> name >> type >> place_in_key;
+      const bool is_row = !without_rows && place_in_key == 1 && type == "INTEGER";
+      if (is_row) table.key = name;
+      if (!is_row) table.columns.push_back(name);
+    }
+    all.push_back(std::move(table));
+  }
+  return all;
+}
+
+class Collecting {
+ public:
+  Collecting(Database& damaged, Database& backup, Database& fresh, RepairReport& report)
+      : damaged_(damaged), backup_(backup), fresh_(fresh), report_(report) {}
+
+  void rowsOf(const CatalogueTable& table) {
+    columns_ = joined(table.columns, ", ");
+    std::string marks = "?";
+    const std::size_t values = table.columns.size() + (table.key.empty() ? 0 : 1);
+    for (std::size_t i = 1; i < values; ++i) marks += ", ?";
+    const std::string named = (table.key.empty() ? "" : table.key + ", ") + columns_;
+    insert_ = "INSERT OR IGNORE INTO " + table.name + " (" + named + ") VALUES (" + marks + ")";
+    select_ = "SELECT " + named + " FROM " + table.name;
+    table.key.empty() ? pairsOf(table) : numberedRowsOf(table);
+  }
+
+ private:
+  // What cannot be written is no damage: everything ends here, instead of passing rows over.
+  bool insertRow(const Statement& row) {
+    valueOrThrow(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
+    return fresh_.changes() > 0;
+  }
+
+  // Both ends of the table as far as they can be read; the middle as the backup has it.
+  void pairsOf(const CatalogueTable& table) {
+    bool whole = true;
+    for (const char* order : {"", " DESC"}) {
+      try {
+        Statement rows = damaged_.sql(select_ + " ORDER BY " + table.columns[0] + order + ", " +
+                                      table.columns[1] + order);
+        while (rows.next()) insertRow(rows);
+        if (whole) return;
+      } catch (const SqlFailure&) {
+        whole = false;
+      }
+    }
+    Statement rows = backup_.sql(select_);
+    while (rows.next())
+      if (insertRow(rows)) report_.rows.push_back({table.name, 0, {}, {}, From::Backup});
+  }
+
+  std::int64_t lastOf(Database& database, const std::string& sql) {
+    try {
+      return numberOf(database, sql);
+    } catch (const SqlFailure&) {
+      return 0;
+    }
+  }
+
+  void numberedRowsOf(const CatalogueTable& table) {
+    const std::string last = "SELECT max(" + table.key + ") FROM " + table.name;
+    const std::string told = "SELECT max(row) FROM history WHERE table_name = '" + table.name + "'";
+    const std::int64_t in_backup = lastOf(backup_, last);
+    const std::int64_t end = std::max(
+        {in_backup, lastOf(damaged_, last), lastOf(damaged_, told), lastOf(backup_, told)});
+    std::int64_t next = 1;
+    while (!readOn(table, next)) {
+      // The row is on a page that cannot be read, or it is the first of such a page.
+      bool read = false;
+      for (; next <= end && !read; ++next) {
+        read = readOne(table, next);
+        if (!read) takeFromBackup(table, next, in_backup);
+      }
+      if (read) continue;
+      // A page at the table's end may have held rows that nothing else speaks of.
+      report_.rows.push_back({table.name, next, {}, {}, From::Nowhere});
+      return;
+    }
+  }
+
+  // From `next` on; false where a page cannot be read, and then next is the first row missing.
+  bool readOn(const CatalogueTable& table, std::int64_t& next) {
+    try {
+      Statement rows =
+          damaged_.sql(select_ + " WHERE " + table.key + " >= ? ORDER BY " + table.key);
+      rows.with(next);
+      while (rows.next()) {
+        insertRow(rows);
+        rows >> next;
+        ++next;
+      }
+      return true;
+    } catch (const SqlFailure&) {
+      return false;
+    }
+  }
+
+  // Whether the damaged file says what row this is, or that there is none.
+  bool readOne(const CatalogueTable& table, std::int64_t row) {
+    try {
+      Statement rows = damaged_.sql(select_ + " WHERE " + table.key + " = ?");
+      rows.with(row);
+      if (rows.next()) insertRow(rows);
+      return true;
+    } catch (const SqlFailure&) {
+      return false;
+    }
+  }
+
+  void takeFromBackup(const CatalogueTable& table, std::int64_t row, std::int64_t in_backup) {
+    Statement rows = backup_.sql(select_ + " WHERE " + table.key + " = ?");
+    rows.with(row);
+    if (rows.next() && insertRow(rows))
+      report_.rows.push_back({table.name, row, {}, {}, From::Backup});
+    else if (row > in_backup)
+      report_.rows.push_back({table.name, row, {}, {}, From::Nowhere});
+  }
+
+  Database& damaged_;
+  Database& backup_;
+  Database& fresh_;
+  RepairReport& report_;
+  std::string columns_, insert_, select_;
+};
+
+void deriveAnew(Database& fresh) {
+  fresh.script(
+      "INSERT INTO sherd_measure (sherd) SELECT row FROM sherd;"
+      "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms;");
+  for (const std::string& kind :
+       textsOf(fresh, "SELECT name FROM pragma_table_info('sherd_measure') WHERE pk = 0"))
+    fresh.script("UPDATE sherd_measure SET " + kind +
+                 " = (SELECT value FROM measurement m WHERE "
+                 "m.sherd = sherd_measure.sherd AND m.kind = '" +
+                 kind + "' AND m.current = 1)");
+  fresh.script(std::string("INSERT INTO sherd_text (rowid, words) SELECT sherd, ") +
+               kSearchedWords + " FROM sherd_words");
+}
+
+// Rows that point at what is gone: unset where that is allowed, else they go too.
+void dropWhatPointsAtNothing(Database& fresh, RepairReport& report) {
+  for (;;) {
+    std::string table, parent, column, target;
+    std::int64_t fitting = 0;
+    {
+      Statement broken = fresh.sql(
+          "SELECT c.\"table\", c.parent, k.\"from\", ifnull(k.\"to\", 'rowid') FROM "
+          "pragma_foreign_key_check c JOIN pragma_foreign_key_list(c.\"table\") k ON k.id = c.fkid "
+          "LIMIT 1");
+      if (!broken.next()) return;
+      broken >> table >> parent >> column >> target;
+    }
+    const std::string where = " WHERE " + column + " IS NOT NULL AND " + column +
+                              " NOT IN (SELECT " + target + " FROM " + parent + ")";
+    fitting = numberOf(fresh, "SELECT count(*) FROM " + table + where);
+    const Result<void> unset =
+        fresh.door([&] { fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where); });
+    if (!unset && unset.error().code == ErrorCode::CannotWrite) throw Refused(unset.error());
+    if (!unset) fresh.script("DELETE FROM " + table + where);
+    for (std::int64_t i = 0; i < fitting; ++i)
+      report.rows.push_back({table, 0, {}, unset ? column : std::string(), From::Nowhere});
+  }
+}
+
+}  // namespace
+
+Result<void> collectRows(Database& damaged, Database& backup, Database& fresh,
+                         RepairReport& report) {
+  if (Result<void> off = fresh.door([&] { fresh.script("PRAGMA foreign_keys = OFF"); }); !off)
+    return off;
+  const Result<void> done = fresh.inTransaction([&] {
+    // Rows of the history are only added to, but for a repair.
+    std::vector<std::string> triggers =
+        textsOf(fresh, "SELECT sql FROM sqlite_schema WHERE type = 'trigger'");
+    for (const std::string& name :
+         textsOf(fresh, "SELECT name FROM sqlite_schema WHERE type = 'trigger'"))
+      fresh.script("DROP TRIGGER " + name);
+    Collecting collecting(damaged, backup, fresh, report);
+    for (const CatalogueTable& table : tablesOf(fresh)) collecting.rowsOf(table);
+    dropWhatPointsAtNothing(fresh, report);
+    deriveAnew(fresh);
+    for (const std::string& trigger : triggers) fresh.script(trigger);
+  });
+  if (!done) return done;
+  return fresh.door([&] { fresh.script("PRAGMA foreign_keys = ON"); });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,209 @@
+#include "archive/archive.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "archive/bag_reader.h"
+#include "tests/core/exchange/exported_project.h"
+#include "tests/core/exchange/mended_bag.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+class Archive : public ExportedProject {
+ protected:
+  fs::path at(const std::string& name) const { return folder_.path() / name; }
+  Result<Archived> archive(DamagedFiles damaged = DamagedFiles::Refuse) {
+    return archiveProject(*project_, {at("archive"), "ostraka 1.0.0", damaged}, quiet, {});
+  }
+  Result<Restored> restore() { return restoreProject(at("archive"), at("laptop"), quiet, {}); }
+};
+
+// Nothing larger can be written while it is there: a write fails in the middle, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t most_bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    struct rlimit small = before_;
+    small.rlim_cur = most_bytes;
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  struct rlimit before_ {};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
+  const Result<Archived> archived =
+      archiveProject(*project_, {at("archive") / "", "ostraka 1.0.0"}, quiet, {});
+  ASSERT_TRUE(archived) << archived.error().sentence();
+  EXPECT_TRUE(archived->sealed);
+  EXPECT_TRUE(archived->damage.empty());
+  const Result<Restored> restored = restoreProject(at("archive"), at("laptop") / "", quiet, {});
+  ASSERT_TRUE(restored) << restored.error().sentence();
+  EXPECT_TRUE(restored->damage.empty());
+  Result<Project> laptop = Project::open(at("laptop"));
+  ASSERT_TRUE(laptop) << laptop.error().sentence();
+  EXPECT_EQ(laptop->catalogue().historyLength(), catalogue().historyLength());
+  EXPECT_EQ(laptop->catalogue().sherd(rows[0])->note, catalogue().sherd(rows[0])->note);
+  for (const FileRecord& file : valueIn(catalogue().files()))
+    EXPECT_EQ(sha256(*readFile(laptop->absolute(file.path))), file.sha256) << file.path;
+  EXPECT_FALSE(restore()) << "never over a project";
+  EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
+}
+
+TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
+  put(project_->folder() / ".ostraka.lock", "4711");
+  put(project_->folder() / "notes.txt", "mine");
+  ASSERT_TRUE(checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, quiet, {}));
+  ASSERT_TRUE(archive());
+  ASSERT_TRUE(restore());
+  EXPECT_TRUE(fs::exists(at("laptop/notes.txt")));
+  EXPECT_FALSE(fs::exists(at("laptop/.ostraka.lock")));
+  EXPECT_FALSE(fs::exists(at("laptop/file-checks.txt")));
+}
+
+TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
+  put(modelOf(0), "one bit another");
+  fs::remove(pictureOf(1));
+  fs::remove(project_->folder() / "batches/B0001/front/cam0_pos00.jpg");
+  fs::create_symlink("/etc/hostname", project_->folder() / "batches/B0001/front/cam0_pos00.jpg");
+  const Result<Archived> refused = archive();
+  ASSERT_TRUE(refused) << refused.error().sentence();
+  EXPECT_FALSE(refused->sealed);
+  ASSERT_EQ(refused->damage.size(), 3u);
+  EXPECT_EQ(refused->damage[0].damage, Damage::Missing) << "a link is no photograph";
+  EXPECT_EQ(refused->damage[0].file.batch, "B0001");
+  EXPECT_EQ(refused->damage[1].file.sherd, "ARM1-T3-0012-0001");
+  EXPECT_FALSE(fs::exists(at("archive")));
+  EXPECT_FALSE(fs::exists(at("archive.partial")));
+}
+
+TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
+  put(modelOf(0), "one bit another");
+  const Result<Archived> sealed = archive(DamagedFiles::Seal);
+  ASSERT_TRUE(sealed) << sealed.error().sentence();
+  EXPECT_TRUE(sealed->sealed);
+  ASSERT_EQ(sealed->damage.size(), 1u);
+  const std::string sentence = sentenceOf(sealed->damage[0]);
+  EXPECT_EQ(*readFile(at("archive/damage.txt")), sentence + "\n");
+  const std::string command =
+      "cd '" + at("archive").string() +
+      "' && sha256sum --quiet --strict -c manifest-sha256.txt tagmanifest-sha256.txt";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  const Result<Restored> restored = restore();
+  ASSERT_TRUE(restored) << restored.error().sentence();
+  EXPECT_THAT(restored->damage, testing::ElementsAre(sentence));
+  // A list that was taken away is noticed.
+  fs::remove_all(at("laptop"));
+  fs::remove(at("archive/damage.txt"));
+  EXPECT_FALSE(restore());
+}
+
+TEST_F(Archive, LeavesFilesOfOthersAloneThatBearItsUnfinishedNames) {
+  for (const char* mine :
+       {"archive.partial/letter.txt", "archive.sqlite.partial", "laptop.partial/letter.txt"})
+    put(at(mine), "mine");
+  EXPECT_FALSE(archive());
+  EXPECT_EQ(*readFile(at("archive.partial/letter.txt")), "mine");
+  fs::remove_all(at("archive.partial"));
+  ASSERT_TRUE(archive());
+  EXPECT_EQ(*readFile(at("archive.sqlite.partial")), "mine");
+  EXPECT_FALSE(restore());
+  EXPECT_EQ(*readFile(at("laptop.partial/letter.txt")), "mine");
+  fs::remove_all(at("laptop.partial"));
+  EXPECT_TRUE(restore());
+}
+
+TEST_F(Archive, OnAFullDiskNamesTheArchiveAndLeavesNothing) {
+  const std::string photograph(std::size_t{3} << 20, 'p');
+  put(project_->folder() / "batches/B0001/front/cam0_pos01.jpg", photograph);
+  for (const rlim_t most_bytes : {rlim_t{2} << 20, rlim_t{64} << 10}) {
+    const Result<Archived> full = [&] {
+      const FullDisk disk(most_bytes);
+      return archive();
+    }();
+    ASSERT_FALSE(full);
+    EXPECT_EQ(full.error().code, ErrorCode::CannotWrite);
+    EXPECT_THAT(full.error().where, testing::StartsWith(at("archive").string())) << most_bytes;
+    EXPECT_FALSE(fs::exists(at("archive")));
+    EXPECT_FALSE(fs::exists(at("archive.partial")));
+    EXPECT_FALSE(fs::exists(at("archive.sqlite.partial")));
+  }
+  ASSERT_TRUE(archive());
+  const Result<Restored> full = [&] {
+    const FullDisk disk(rlim_t{2} << 20);
+    return restore();
+  }();
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().code, ErrorCode::CannotWrite);
+  EXPECT_THAT(full.error().where, testing::StartsWith(at("laptop").string()));
+  EXPECT_FALSE(fs::exists(at("laptop.partial")));
+}
+
+TEST_F(Archive, AnExportOnAFullDiskNamesTheExport) {
+  put(project_->folder() / "batches/B0001/front/cam0_pos00.jpg",
+      std::string(std::size_t{3} << 20, 'p'));
+  const FullDisk disk(rlim_t{2} << 20);
+  const Result<Exported> full = exportTo("out", {Form::Json, Form::Photographs});
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().code, ErrorCode::CannotWrite);
+  EXPECT_THAT(full.error().where, testing::StartsWith(at("out").string()));
+}
+
+// Calls back with how often it was asked, to provenance between the check of a bag and its use.
+class Between final : public Progress {
+ public:
+  explicit Between(std::function<void(int)> provenance) : provenance_(std::move(provenance)) {}
+  void report(std::int64_t, std::int64_t) override { provenance_(++times_); }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::function<void(int)> provenance_;
+  int times_ = 0;
+};
+
+TEST_F(Archive, TakesNoFileThatTookThePlaceOfACheckedOne) {
+  ASSERT_TRUE(archive());
+  put(at("secret"), "PRIVATE KEY");
+  const fs::path photograph = at("archive/data/batches/B0001/front/cam0_pos00.jpg");
+  const auto files = static_cast<int>(MendedBag(at("archive")).payload.size());
+  const std::vector<std::function<void()>> swaps = {
+      [&] { fs::create_symlink(at("secret"), photograph); },
+      [&] { put(photograph, "another JPEG"); },
+      [&] {
+        fs::rename(photograph.parent_path(), at("front"));
+        fs::create_directory_symlink(folder_.path(), photograph.parent_path());
+      }};
+  for (const auto& swap : swaps) {
+    Between between([&](int times) {
+      if (times != files + 1) return;  // all hashes agreed
+      fs::remove(photograph);
+      swap();
+    });
+    const Result<Restored> restored = restoreProject(at("archive"), at("laptop"), between, {});
+    ASSERT_FALSE(restored);
+    EXPECT_EQ(restored.error().code, ErrorCode::UnusableInput);
+    EXPECT_FALSE(fs::exists(at("laptop")));
+    EXPECT_FALSE(fs::exists(at("laptop.partial")));
+    fs::remove(photograph);
+    if (fs::is_symlink(photograph.parent_path())) break;
+    put(photograph, "JPEG");
+  }
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

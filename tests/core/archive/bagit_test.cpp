@@ -1,0 +1,127 @@
+#include "archive/bagit.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "files/files.h"
+#include "tests/core/catalogue/small_project.h"
+#include "tests/core/exchange/mended_bag.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Bag : public ::testing::Test {
+ protected:
+  Bag() : target(folder.path() / "out bag") {
+    std::ofstream(folder.path() / "photo.jpg") << "JPEG";
+  }
+  void write() {
+    Result<BagWriter> bag = BagWriter::begin(target);
+    ASSERT_TRUE(bag) << bag.error().sentence();
+    ASSERT_TRUE(bag->add("sherds.csv", "a,b\r\n"));
+    ASSERT_TRUE(bag->addFile("photographs/É 1.jpg", folder.path() / "photo.jpg", {}));
+    ASSERT_TRUE(bag->finish({{"External-Description", "two\nlines"}}));
+  }
+  Result<std::vector<BagFile>> check() { return checkBag(target, quiet, {}); }
+  std::string why() {
+    const auto checked = check();
+    return checked ? "accepted" : checked.error().sentence();
+  }
+  catalogue::TemporaryFolder folder;
+  fs::path target;
+  QuietProgress quiet;
+};
+
+TEST_F(Bag, IsWholeForUsAndForTheWorld) {
+  write();
+  const auto files = check();
+  ASSERT_TRUE(files) << files.error().sentence();
+  EXPECT_EQ(files->size(), 2u);
+  EXPECT_FALSE(fs::exists(target.string() + ".partial"));
+  const std::string command =
+      "cd '" + target.string() +
+      "' && sha256sum --quiet --strict -c manifest-sha256.txt tagmanifest-sha256.txt";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  const std::string info = *readFile(target / "bag-info.txt");
+  EXPECT_NE(info.find("External-Description: two lines\n"), std::string::npos);
+  EXPECT_NE(info.find("Payload-Oxum: 9.2\n"), std::string::npos);
+}
+
+TEST_F(Bag, WithoutItsEndLeavesNothing) {
+  {
+    Result<BagWriter> bag = BagWriter::begin(target);
+    ASSERT_TRUE(bag);
+    ASSERT_TRUE(bag->add("a", "b"));
+    EXPECT_TRUE(fs::exists(target.string() + ".partial"));
+  }
+  EXPECT_FALSE(fs::exists(target));
+  EXPECT_FALSE(fs::exists(target.string() + ".partial"));
+}
+
+// Of a stranger that happens to bear the name, and of a link that was planted there.
+TEST_F(Bag, LeavesAFolderOfItsUnfinishedNameAloneThatItDidNotMake) {
+  const fs::path partial = target.string() + ".partial";
+  fs::create_directories(partial);
+  std::ofstream(partial / "letter.txt") << "mine";
+  EXPECT_FALSE(BagWriter::begin(target));
+  EXPECT_EQ(*readFile(partial / "letter.txt"), "mine");
+  fs::rename(partial, folder.path() / "mine");
+  fs::create_directories(folder.path() / "mine/content");
+  std::ofstream(folder.path() / "mine/content/letter.txt") << "mine";
+  fs::remove(folder.path() / "mine/letter.txt");
+  fs::create_directory_symlink(folder.path() / "mine", partial);
+  EXPECT_FALSE(BagWriter::begin(target));
+  EXPECT_EQ(*readFile(folder.path() / "mine/content/letter.txt"), "mine");
+}
+
+TEST_F(Bag, TakesANameWithASlashAtItsEnd) {
+  target /= "";
+  write();
+  EXPECT_EQ(why(), "accepted");
+}
+
+TEST_F(Bag, NeverWritesOverAnotherFolder) {
+  write();
+  EXPECT_FALSE(BagWriter::begin(target));
+}
+
+TEST_F(Bag, NamesThatCouldBeMistakenAreRefused) {
+  Result<BagWriter> bag = BagWriter::begin(target);
+  ASSERT_TRUE(bag->add("a/B.txt", "1"));
+  EXPECT_FALSE(bag->add("a/b.TXT", "2")) << "the same file on other systems";
+  for (const char* name : {"../x", "/x", "a%41", "a\nb", "", "a/../b"})
+    EXPECT_FALSE(bag->add(name, "2")) << name;
+  EXPECT_FALSE(bag->addFile("c", folder.path() / "not there", {}));
+}
+
+TEST_F(Bag, AChangedAMissingAndAnUnlistedFileAreNoticed) {
+  write();
+  std::ofstream(target / "data" / "sherds.csv") << "a,c\r\n";
+  EXPECT_NE(why().find("sherds.csv: This file has changed"), std::string::npos) << why();
+  fs::remove(target / "data" / "sherds.csv");
+  EXPECT_NE(why().find("missing"), std::string::npos) << why();
+  std::ofstream(target / "data" / "sherds.csv") << "a,b\r\n";
+  EXPECT_EQ(why(), "accepted");
+  std::ofstream(target / "data" / "more.txt") << "x";
+  EXPECT_NE(why().find("more.txt: This file is not in the manifest"), std::string::npos) << why();
+  fs::remove(target / "data" / "more.txt");
+  std::ofstream(target / "bag-info.txt") << "x";
+  EXPECT_NE(why().find("bag-info.txt: This file has changed"), std::string::npos) << why();
+}
+
+TEST_F(Bag, ManifestsThatPointOutsideAreRefused) {
+  write();
+  MendedBag bag(target);
+  bag.list("../../secret", "x");
+  bag.mend();
+  EXPECT_NE(why().find("outside the folder"), std::string::npos) << why();
+  fs::remove_all(target / "bagit.txt");
+  EXPECT_NE(why().find("Not an Ostraka export"), std::string::npos) << why();
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

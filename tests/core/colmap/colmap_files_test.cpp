@@ -1,0 +1,112 @@
+#include "colmap/colmap_files.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <random>
+
+#include "colmap/colmap_format.h"
+#include "tests/core/rig/simulated_rig.h"
+
+namespace ostraka::rig {
+namespace {
+
+ColmapModel sampleModel() {
+  ColmapModel model;
+  model.cameras.push_back(toColmap(lens(2600), 3));
+  ColmapImage image;
+  image.id = 7;
+  image.camera = 3;
+  image.name = "front a.jpg";
+  image.camera_from_world = lookingDown(0.5, 0.3);
+  image.observations = {{{1.5, 2.5}, 9}, {{3, 4}, -1}};
+  model.images = {image, image};
+  model.images[1].id = 8;
+  model.images[1].observations.clear();
+  model.points.push_back({9, {1, 2, 3}, {10, 20, 255}, 0.25, {{7, 0}}});
+  return model;
+}
+
+class EveryForm : public testing::TestWithParam<ColmapFormat> {};
+
+TEST_P(EveryForm, ComesBackAsItWasWritten) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-colmap");
+  std::filesystem::create_directories(folder);
+  const ColmapModel model = sampleModel();
+  ASSERT_TRUE(writeColmapModel(folder, model, GetParam()).has_value());
+  const auto read = readColmapModel(folder);
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->cameras[0].parameters, model.cameras[0].parameters);
+  EXPECT_EQ(read->cameras[0].model, 4);
+  ASSERT_EQ(read->images.size(), 2U);
+  EXPECT_EQ(read->images[0].name, "front a.jpg");
+  EXPECT_TRUE(read->images[0].camera_from_world.isApprox(model.images[0].camera_from_world, 1e-14));
+  ASSERT_EQ(read->images[0].observations.size(), 2U);
+  EXPECT_EQ(read->images[0].observations[1].point, -1);
+  EXPECT_EQ(read->images[0].observations[0].pixel, Eigen::Vector2d(1.5, 2.5));
+  EXPECT_EQ(read->images[1].id, 8U);
+  EXPECT_EQ(read->points[0].position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(read->points[0].colour[2], 255);
+  EXPECT_EQ(read->points[0].track, model.points[0].track);
+}
+
+TEST_P(EveryForm, SurvivesChangedAndMissingBytes) {
+  const std::string whole = colmapBytes(sampleModel().images, GetParam());
+  std::mt19937 random(11);
+  for (int round = 0; round < 5000; ++round) {
+    std::string damaged = whole.substr(0, random() % whole.size());
+    for (int k = 0; k < 3 && !damaged.empty(); ++k)
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    const auto read = parseColmapImages(damaged, GetParam(), "images");
+    if (!read) {
+      EXPECT_EQ(read.error().where, "images");
+      continue;
+    }
+    for (const ColmapImage& image : *read) {
+      EXPECT_TRUE(image.camera_from_world.matrix().allFinite());
+      EXPECT_TRUE(image.camera_from_world.linear().isUnitary(1e-9));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, EveryForm,
+                         testing::Values(ColmapFormat::Text, ColmapFormat::Binary));
+
+TEST(ColmapBinary, RefusesACountBeyondTheFile) {
+  std::string bytes = colmapBytes(sampleModel().points, ColmapFormat::Binary);
+  bytes[6] = 1;  // 2^48 points
+  const auto points = parseColmapPoints(bytes, ColmapFormat::Binary, "points3D.bin");
+  ASSERT_FALSE(points.has_value());
+  EXPECT_THAT(points.error().sentence(), testing::HasSubstr("points3D.bin"));
+}
+
+TEST(ColmapCamera, ShiftsThePixelCentreByAHalf) {
+  const Intrinsics i = lens(2600);
+  const ColmapCamera camera = toColmap(i, 1);
+  EXPECT_EQ(camera.parameters[2], i.cx + 0.5);
+  const auto back = fromColmap(camera);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->cx, i.cx);
+  EXPECT_EQ(back->distortion, i.distortion);
+}
+
+TEST(ColmapCamera, KeepsK3AsFullOpenCv) {
+  Intrinsics i = lens(2600);
+  i.distortion[4] = 0.1;
+  const ColmapCamera camera = toColmap(i, 1);
+  EXPECT_EQ(camera.model, 6);
+  EXPECT_EQ(camera.parameters.size(), 12U);
+  EXPECT_EQ(fromColmap(camera)->distortion, i.distortion);
+}
+
+TEST(ColmapCamera, RefusesFisheyes) {
+  ColmapCamera camera = toColmap(lens(2600), 1);
+  camera.model = 5;
+  ASSERT_FALSE(fromColmap(camera).has_value());
+  EXPECT_THAT(fromColmap(camera).error().what, testing::HasSubstr("OPENCV_FISHEYE"));
+}
+
+}  // namespace
+}  // namespace ostraka::rig

@@ -1,0 +1,130 @@
+#include "decisions/scan_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "cloud/ply.h"
+#include "files/files.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// A flat disc of 20 mm radius, far from the origin of its file, seen from above.
+PointCloud disc(double factor = 1) {
+  PointCloud cloud;
+  for (int x = -20; x <= 20; ++x)
+    for (int y = -20; y <= 20; ++y) {
+      if (x * x + y * y > 400) continue;
+      cloud.points.emplace_back(Eigen::Vector3f(100 + x, 50 + y, 5 + 0.1f * std::sin(x + 2.f * y)) *
+                                static_cast<float>(factor));
+      cloud.normals.emplace_back(0, 0, 1);
+    }
+  return cloud;
+}
+
+class ScanFolders : public testing::Test {
+ protected:
+  ScanFolders() {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_folder_XXXXXX").string();
+    folder = ::mkdtemp(pattern.data());
+  }
+  ~ScanFolders() override { fs::remove_all(folder); }
+
+  void write(const std::string& name, const PointCloud& cloud) {
+    ASSERT_TRUE(writePly(folder / name, cloud, "scanner").has_value());
+  }
+  ScanFolder read(const std::string& side) {
+    Result<ScanFolder> found = readScanFolder(folder / side, 1);
+    EXPECT_TRUE(found.has_value()) << (found ? "" : found.error().sentence());
+    return found ? std::move(*found) : ScanFolder{};
+  }
+
+  fs::path folder;
+};
+
+TEST_F(ScanFolders, GiveAWholeScanAsItIs) {
+  write("front/a.ply", disc());
+  const ScanFolder side = read("front");
+  ASSERT_EQ(side.scans.size(), 1u);
+  EXPECT_EQ(side.scans[0].cloud.size(), disc().size());
+  EXPECT_TRUE(side.warnings.empty());
+}
+
+// Ten metres away, or where the scanner puts what it did not see: one point would turn the scan.
+TEST_F(ScanFolders, LeaveOutPointsThatAreNoMeasurementAndSaySo) {
+  PointCloud flying = disc(), unseen = disc();
+  flying.points.emplace_back(10000, 5000, 3333);
+  flying.normals.emplace_back(0, 0, 1);
+  for (int i = 0; i < 30; ++i) {
+    unseen.points.emplace_back(0, 0, 0);
+    unseen.normals.emplace_back(0, 0, 1);
+  }
+  write("front/flying.ply", flying);
+  write("front/unseen.ply", unseen);
+  const ScanFolder side = read("front");
+  ASSERT_EQ(side.scans.size(), 2u);
+  for (const scan::Scan& scan : side.scans) {
+    EXPECT_EQ(scan.cloud.size(), disc().size()) << scan.id;
+    EXPECT_EQ(scan.cloud.normals.size(), scan.cloud.size());
+    EXPECT_GT(scan.up.z(), 0.999) << scan.id;  // 0.1 mm of waves over 40 mm
+  }
+  ASSERT_EQ(side.warnings.size(), 2u);
+  EXPECT_THAT(side.warnings[0], HasSubstr("flying.ply: 1 point far from all others"));
+  EXPECT_THAT(side.warnings[1], HasSubstr("unseen.ply: 30 points"));
+}
+
+TEST_F(ScanFolders, DoNotLookAtHiddenFiles) {
+  write("batch/front/a.ply", disc());
+  ASSERT_TRUE(writeFileAtomically(folder / "batch/front/._a.ply", "Mac OS X").has_value());
+  ASSERT_TRUE(writeFileAtomically(folder / "photos/front/._a.ply", "Mac OS X").has_value());
+  const ScanFolder side = read("batch/front");
+  EXPECT_EQ(side.scans.size(), 1u);
+  EXPECT_EQ(side.unusable, 0);
+  EXPECT_TRUE(holdsScans(folder / "batch"));
+  EXPECT_FALSE(holdsScans(folder / "photos"));
+}
+
+TEST_F(ScanFolders, InAMapsCoordinatesAreNamedInsteadOfRounded) {
+  PointCloud surveyed = disc();
+  for (Eigen::Vector3f& p : surveyed.points) p += Eigen::Vector3f(300e3f, 400e3f, 0);
+  write("front/a.ply", surveyed);
+  write("front/b.ply", disc());
+  const ScanFolder side = read("front");
+  EXPECT_EQ(side.scans.size(), 1u);
+  EXPECT_EQ(side.unusable, 1);
+  ASSERT_EQ(side.warnings.size(), 1u);
+  EXPECT_THAT(side.warnings[0], HasSubstr("a.ply"));
+  EXPECT_THAT(side.warnings[0], HasSubstr("times its length away from the origin"));
+}
+
+TEST_F(ScanFolders, InAnotherUnitAreNamedWithIt) {
+  struct Case {
+    double front, back;
+    const char* words;
+  };
+  for (const Case& c :
+       {Case{0.1, 0.1, "4.0 mm; their unit seems to be centimetres"},
+        Case{0.001, 0.001, "0.040 mm; their unit seems to be metres"},
+        Case{1000, 1000, "40000 mm; their unit seems to be micro"},
+        Case{0.015, 0.015, "no sherds are of that size"}, Case{1, 0.1, "centimetres"},
+        Case{4, 1, "The median length of the fronts is 160 mm, of the backs 40.0 mm"}}) {
+    write("front/a.ply", disc(c.front));
+    write("back/a.ply", disc(c.back));
+    const Result<void> unit = checkUnit(read("front"), read("back"), "export them in mm");
+    ASSERT_FALSE(unit.has_value()) << c.words;
+    EXPECT_EQ(unit.error().code, ErrorCode::UnusableInput);
+    EXPECT_THAT(unit.error().sentence(), HasSubstr(c.words));
+    EXPECT_THAT(unit.error().sentence(), HasSubstr(": export them in mm."));
+  }
+  write("front/a.ply", disc(2));
+  write("back/a.ply", disc());
+  EXPECT_TRUE(checkUnit(read("front"), read("back"), "").has_value()) << "sherds differ in size";
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

@@ -1,0 +1,355 @@
+// The real libusb on a USB device that exists in umockdev only; it answers each request of the
+// kernel's usbfs. Run with libumockdev-preload.so.0 preloaded.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/ioctl.h>
+
+#include <linux/usbdevice_fs.h>  // after the macros that it needs
+#include <umockdev.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <set>
+
+#include "devices/byte_channel.h"
+#include "devices/usb_watch.h"
+#include "tests/core/capture/simulated_controllers.h"
+#include "turntables/grbl.h"
+
+namespace ostraka::capture {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::Mischief;
+using testing::SimulatedGrbl;
+
+constexpr const char* kNode = "/dev/bus/usb/001/002";
+constexpr const char* kPlace = "/sys/devices/pci0000:00/usb1/1-1";
+
+std::string hexOf(const std::vector<int>& bytes) {
+  std::string text;
+  for (const int b : bytes) {
+    char pair[3];
+    std::snprintf(pair, sizeof pair, "%02X", b);
+    text += pair;
+  }
+  return text;
+}
+
+// A CDC-ACM device: interface 0 with an interrupt endpoint, interface 1 with bulk in and out.
+std::string descriptors() {
+  return hexOf(
+      {18, 1,  0,  2, 2, 0, 0, 64,   0x09, 0x12, 0x01, 0x00, 0, 1, 1,    2,  3,  1,  // device
+       9,  2,  48, 0, 2, 1, 0, 0x80, 50,  // configuration
+       9,  4,  0,  0, 1, 2, 2, 1,    0,    7,    5,    0x82, 3, 8, 0,    10, 9,  4, 1, 0,
+       2,  10, 0,  0, 0, 7, 5, 0x81, 2,    64,   0,    0,    7, 5, 0x01, 2,  64, 0, 0});
+}
+
+class FakeUsb {
+ public:
+  explicit FakeUsb(std::shared_ptr<SimulatedGrbl> controller)
+      : controller_(std::move(controller)), testbed_(umockdev_testbed_new()) {
+    base_ = umockdev_ioctl_base_new();
+    g_signal_connect(base_, "handle-ioctl", G_CALLBACK(&FakeUsb::onIoctl), this);
+  }
+  ~FakeUsb() {
+    if (plugged_) unplug();
+    g_object_unref(base_);
+    g_object_unref(testbed_);
+  }
+  FakeUsb(const FakeUsb&) = delete;
+  FakeUsb& operator=(const FakeUsb&) = delete;
+
+  void plugIn() {
+    const std::string hex = descriptors();
+    const std::string device =
+        "P: /devices/pci0000:00/usb1/1-1\nN: bus/usb/001/002=" + hex +
+        "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nE: DEVNAME=/dev/bus/usb/001/002\n"
+        "E: BUSNUM=001\nE: DEVNUM=002\nE: MAJOR=189\nE: MINOR=1\nA: busnum=1\\n\nA: devnum=2\\n\n"
+        "A: speed=12\\n\nA: bConfigurationValue=1\\n\nA: idVendor=1209\\n\nA: idProduct=0001\\n\n"
+        "H: descriptors=" +
+        hex + "\n\n";
+    GError* failed = nullptr;
+    umockdev_testbed_add_from_string(testbed_, device.c_str(), &failed);
+    ASSERT_EQ(failed, nullptr) << failed->message;
+    umockdev_testbed_attach_ioctl(testbed_, kNode, base_, &failed);
+    ASSERT_EQ(failed, nullptr) << failed->message;
+    umockdev_testbed_uevent(testbed_, kPlace, "add");
+    const std::lock_guard lock(guard_);
+    plugged_ = true;
+    with_kernel_ = {0, 1};
+  }
+  void pullOut() {
+    const std::lock_guard lock(guard_);
+    plugged_ = false;
+  }
+  void unplug() {
+    pullOut();
+    GError* failed = nullptr;
+    umockdev_testbed_detach_ioctl(testbed_, kNode, &failed);
+    umockdev_testbed_uevent(testbed_, kPlace, "remove");
+    umockdev_testbed_remove_device(testbed_, kPlace);
+  }
+
+  std::set<int> withKernel() const {
+    const std::lock_guard lock(guard_);
+    return with_kernel_;
+  }
+  std::vector<int> lineCoding() const {
+    const std::lock_guard lock(guard_);
+    return line_coding_;
+  }
+  int control_lines = -1;
+  bool held_by_another = false;
+
+ private:
+  struct Transfer {
+    UMockdevIoctlData* urb;
+    UMockdevIoctlData* buffer;
+  };
+
+  static gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, FakeUsb* self) {
+    const std::lock_guard lock(self->guard_);
+    self->handle(client);
+    return TRUE;
+  }
+
+  static UMockdevIoctlData* argument(UMockdevIoctlClient* client, std::size_t size) {
+    return umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, size, nullptr);
+  }
+  static void done(UMockdevIoctlClient* client, long result, int reason = 0) {
+    umockdev_ioctl_client_complete(client, result, reason);
+  }
+  static usbdevfs_urb* urbOf(UMockdevIoctlData* data) {
+    return reinterpret_cast<usbdevfs_urb*>(data->data);
+  }
+
+  void handle(UMockdevIoctlClient* client) {
+    if (!plugged_) return done(client, -1, ENODEV);
+    switch (umockdev_ioctl_client_get_request(client)) {
+      case USBDEVFS_GET_CAPABILITIES: {
+        UMockdevIoctlData* value = argument(client, 4);
+        std::memset(value->data, 0, 4);
+        return done(client, 0);
+      }
+      case USBDEVFS_GETDRIVER:
+        return getDriver(client);
+      case USBDEVFS_IOCTL:
+        return kernelDriver(client);
+      case USBDEVFS_CLAIMINTERFACE:
+        return held_by_another ? done(client, -1, EBUSY) : done(client, 0);
+      case USBDEVFS_RELEASEINTERFACE:
+      case USBDEVFS_CLEAR_HALT:
+      case USBDEVFS_SETCONFIGURATION:
+        return done(client, 0);
+      case USBDEVFS_SUBMITURB:
+        return submit(client);
+      case USBDEVFS_REAPURBNDELAY:
+      case USBDEVFS_REAPURB:
+        return reap(client);
+      case USBDEVFS_DISCARDURB:
+        return discard(client);
+      default:
+        return done(client, -1, ENOTTY);
+    }
+  }
+
+  void getDriver(UMockdevIoctlClient* client) {
+    auto* about =
+        reinterpret_cast<usbdevfs_getdriver*>(argument(client, sizeof(usbdevfs_getdriver))->data);
+    if (!with_kernel_.contains(static_cast<int>(about->interface)))
+      return done(client, -1, ENODATA);
+    std::strcpy(about->driver, "cdc_acm");
+    done(client, 0);
+  }
+
+  void kernelDriver(UMockdevIoctlClient* client) {
+    const auto* command =
+        reinterpret_cast<usbdevfs_ioctl*>(argument(client, sizeof(usbdevfs_ioctl))->data);
+    if (static_cast<unsigned>(command->ioctl_code) == USBDEVFS_DISCONNECT) {
+      if (with_kernel_.erase(command->ifno) == 0) return done(client, -1, ENODATA);
+      return done(client, 0);
+    }
+    with_kernel_.insert(command->ifno);
+    done(client, 1);
+  }
+
+  void submit(UMockdevIoctlClient* client) {
+    UMockdevIoctlData* data = argument(client, sizeof(usbdevfs_urb));
+    usbdevfs_urb* urb = urbOf(data);
+    UMockdevIoctlData* buffer =
+        umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_urb, buffer),
+                                    static_cast<std::size_t>(urb->buffer_length), nullptr);
+    g_object_ref(data);
+    const Transfer transfer{data, buffer};
+    if (urb->type == USBDEVFS_URB_TYPE_CONTROL) {
+      control(transfer);
+    } else if ((urb->endpoint & 0x80) == 0) {
+      controller_->receive(std::string(reinterpret_cast<char*>(buffer->data),
+                                       static_cast<std::size_t>(urb->buffer_length)));
+      finish(transfer, urb->buffer_length);
+    } else {
+      waiting_.push_back(transfer);
+    }
+    done(client, 0);
+  }
+
+  void control(const Transfer& transfer) {
+    const guint8* setup = transfer.buffer->data;
+    guint8* payload = transfer.buffer->data + 8;
+    const int length = setup[6] | setup[7] << 8;
+    if (setup[1] == 0x20) {
+      line_coding_.assign(payload, payload + length);
+      return finish(transfer, length);
+    }
+    if (setup[1] == 0x22) {
+      control_lines = setup[2];
+      return finish(transfer, 0);
+    }
+    if (setup[0] == 0x80 && setup[1] == 6 && setup[3] == 3) {  // a string: languages, or "S7"
+      const std::vector<guint8> text = setup[2] == 0 ? std::vector<guint8>{4, 3, 9, 4}
+                                                     : std::vector<guint8>{6, 3, 'S', 0, '7', 0};
+      const int n = std::min<int>(length, static_cast<int>(text.size()));
+      std::memcpy(payload, text.data(), static_cast<std::size_t>(n));
+      return finish(transfer, n);
+    }
+    urbOf(transfer.urb)->status = -EPIPE;
+    finished_.push_back(transfer);
+  }
+
+  void finish(const Transfer& transfer, int length) {
+    urbOf(transfer.urb)->status = 0;
+    urbOf(transfer.urb)->actual_length = length;
+    finished_.push_back(transfer);
+  }
+
+  void reap(UMockdevIoctlClient* client) {
+    said_ += controller_->said();
+    if (!waiting_.empty() && !said_.empty()) {
+      const Transfer transfer = waiting_.front();
+      waiting_.pop_front();
+      const std::size_t n =
+          std::min(said_.size(), static_cast<std::size_t>(urbOf(transfer.urb)->buffer_length));
+      std::memcpy(transfer.buffer->data, said_.data(), n);
+      said_.erase(0, n);
+      finish(transfer, static_cast<int>(n));
+    }
+    if (finished_.empty()) return done(client, -1, EAGAIN);
+    const Transfer transfer = finished_.front();
+    finished_.pop_front();
+    umockdev_ioctl_data_set_ptr(argument(client, sizeof(void*)), 0, transfer.urb);
+    done(client, 0);
+  }
+
+  void discard(UMockdevIoctlClient* client) {
+    gulong address = 0;
+    std::memcpy(&address, umockdev_ioctl_client_get_arg(client)->data, sizeof address);
+    for (auto it = waiting_.begin(); it != waiting_.end(); ++it) {
+      if (it->urb->client_addr != address) continue;
+      urbOf(it->urb)->status = -ENOENT;
+      urbOf(it->urb)->actual_length = 0;
+      finished_.push_back(*it);
+      waiting_.erase(it);
+      return done(client, 0);
+    }
+    done(client, -1, EINVAL);
+  }
+
+  std::shared_ptr<SimulatedGrbl> controller_;
+  UMockdevTestbed* testbed_;
+  UMockdevIoctlBase* base_;
+  mutable std::mutex guard_;
+  bool plugged_ = false;
+  std::set<int> with_kernel_;
+  std::vector<int> line_coding_;
+  std::deque<Transfer> waiting_, finished_;
+  std::string said_;
+};
+
+class UsbChannel : public ::testing::Test {
+ protected:
+  std::shared_ptr<SimulatedGrbl> controller_ =
+      std::make_shared<SimulatedGrbl>(steadyClock(), Mischief{});
+  FakeUsb usb_{controller_};
+};
+
+TEST_F(UsbChannel, TakesTheDeviceFromTheKernelAndGivesItBack) {
+  usb_.plugIn();
+  {
+    const auto channel = openUsb("1209:0001:S7", 115200);
+    ASSERT_TRUE(channel.has_value()) << channel.error().what;
+    EXPECT_TRUE(usb_.withKernel().empty());
+    // 115200 is 0x01C200, least byte first; then 1 stop bit, no parity, 8 bits.
+    EXPECT_THAT(usb_.lineCoding(), ElementsAre(0x00, 0xC2, 0x01, 0x00, 0, 0, 8));
+    EXPECT_EQ(usb_.control_lines, 3);
+  }
+  EXPECT_THAT(usb_.withKernel(), ElementsAre(0, 1));
+}
+
+TEST_F(UsbChannel, TurnsATable) {
+  usb_.plugIn();
+  controller_->opened();
+  auto channel = openUsb("1209:0001", 115200);
+  ASSERT_TRUE(channel.has_value()) << channel.error().what;
+  auto table = openGrbl(std::move(*channel), {.speed_deg_s = 2000}, steadyClock(), {});
+  ASSERT_TRUE(table.has_value()) << table.error().what;
+  ASSERT_TRUE((*table)->zeroHere({}).has_value());
+  ASSERT_TRUE((*table)->moveTo(45, {}).has_value());
+  EXPECT_NEAR(controller_->degrees(), 45, 1e-3);
+}
+
+TEST_F(UsbChannel, NoticesThatTheCableIsPulledAndComesBack) {
+  usb_.plugIn();
+  const auto channel = openUsb("1209:0001", 115200);
+  ASSERT_TRUE(channel.has_value()) << channel.error().what;
+  EXPECT_EQ((*channel)->read(0.02, {}).value(), "");
+  usb_.pullOut();
+  const auto read = (*channel)->read(1, {});
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().code, ErrorCode::Missing);
+  EXPECT_EQ((*channel)->write("?").error().code, ErrorCode::Missing);
+  usb_.unplug();
+  usb_.plugIn();
+  ASSERT_TRUE((*channel)->reopen({}).has_value());
+  ASSERT_TRUE((*channel)->write("$I\n").has_value());
+  std::string said;
+  for (int k = 0; k < 20 && said.find("VER") == std::string::npos; ++k)
+    said += (*channel)->read(0.05, {}).value();
+  EXPECT_THAT(said, HasSubstr("[VER:1.1h"));
+}
+
+TEST(UsbWatch, TellsThatADeviceCameAndWent) {
+  for (const auto how : {UsbWatchOptions::How::Events, UsbWatchOptions::How::Polling}) {
+    FakeUsb usb(std::make_shared<SimulatedGrbl>(steadyClock(), Mischief{}));
+    std::atomic<int> told = 0;
+    const auto watch = watchUsb([&] { ++told; }, {.how = how, .poll_s = 0.05});
+    ASSERT_TRUE(watch.has_value()) << watch.error().what;
+    EXPECT_EQ((*watch)->how(), how);
+    const auto waitFor = [&](int count) {
+      for (int k = 0; k < 200 && told < count; ++k) steadyClock()->sleep(0.02, {});
+      return told.load();
+    };
+    steadyClock()->sleep(0.15, {});  // the polling one has to see the empty bus first
+    EXPECT_EQ(told, 0);
+    usb.plugIn();
+    EXPECT_EQ(waitFor(1), 1);
+    usb.unplug();
+    EXPECT_EQ(waitFor(2), 2);
+  }
+}
+
+TEST_F(UsbChannel, SaysWhyADeviceCannotBeUsed) {
+  EXPECT_THAT(openUsb("1209:0001", 115200).error().what, HasSubstr("not plugged in"));
+  EXPECT_EQ(openUsb("turntable", 115200).error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(openUsb("1209:zz", 115200).error().code, ErrorCode::UnusableInput);
+  usb_.plugIn();
+  EXPECT_THAT(openUsb("1209:0001:S8", 115200).error().what, HasSubstr("serial number"));
+  usb_.held_by_another = true;
+  EXPECT_THAT(openUsb("1209:0001", 115200).error().what, HasSubstr("Another program"));
+}
+
+}  // namespace
+}  // namespace ostraka::capture

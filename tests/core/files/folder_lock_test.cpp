@@ -1,0 +1,71 @@
+#include "files/folder_lock.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <optional>
+
+namespace ostraka {
+namespace {
+
+struct FolderLocks : testing::Test {
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("ostraka_lock_" + std::to_string(::getpid()));
+  void TearDown() override { std::filesystem::remove_all(folder); }
+};
+
+TEST_F(FolderLocks, OneHolderAtATimeAndTheSecondIsToldWhich) {
+  std::optional<Result<FolderLock>> first = FolderLock::take(folder);
+  ASSERT_TRUE(first->has_value());
+  const Result<FolderLock> second = FolderLock::take(folder);
+  ASSERT_FALSE(second.has_value());
+  EXPECT_NE(second.error().sentence().find(folder.string()), std::string::npos);
+  first.reset();
+  EXPECT_TRUE(FolderLock::take(folder).has_value());
+}
+
+TEST_F(FolderLocks, ALinkInThePlaceOfTheLockIsRefusedAndNotFollowed) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::create_symlink(folder / "elsewhere", folder / "lock");
+  const Result<FolderLock> held = FolderLock::take(folder);
+  ASSERT_FALSE(held.has_value());
+  EXPECT_NE(held.error().sentence().find("lock"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
+}
+
+TEST_F(FolderLocks, AProcessThatDiesLetsGo) {
+  std::filesystem::create_directories(folder);
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const Result<FolderLock> held = FolderLock::take(folder);
+    const char answer = held.has_value() ? 'y' : 'n';
+    (void)!::write(ready[1], &answer, 1);
+    ::pause();
+  }
+  char answer = 0;
+  ASSERT_EQ(::read(ready[0], &answer, 1), 1);
+  ASSERT_EQ(answer, 'y');
+  EXPECT_FALSE(FolderLock::take(folder).has_value());
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_TRUE(FolderLock::take(folder).has_value());
+  ::close(ready[0]);
+  ::close(ready[1]);
+}
+
+TEST_F(FolderLocks, AFolderThatWasDeletedDoesNotStandThoughOneOfItsNameIsThere) {
+  const Result<FolderLock> held = FolderLock::take(folder);
+  ASSERT_TRUE(held.has_value());
+  EXPECT_TRUE(held->stands());
+  std::filesystem::remove_all(folder);
+  EXPECT_FALSE(held->stands());
+  const Result<FolderLock> another = FolderLock::take(folder);  // may get the same inode
+  EXPECT_TRUE(another->stands());
+  EXPECT_FALSE(held->stands());
+}
+
+}  // namespace
+}  // namespace ostraka

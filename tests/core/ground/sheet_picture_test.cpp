@@ -1,0 +1,144 @@
+#include "ground/sheet_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace ostraka::mask {
+namespace {
+
+// A sheet of 120 x 80 mm with one marker of 20 mm, its middle at (-40, 20).
+batch::Plate smallSheet() {
+  batch::Plate plate;
+  plate.dictionary = "DICT_4X4_100";
+  plate.sheet = Eigen::AlignedBox2d(Eigen::Vector2d(-60, -40), Eigen::Vector2d(60, 40));
+  plate.diameter_mm = 160;
+  plate.markers.push_back({7,
+                           {Eigen::Vector3d(-50, 30, 0), Eigen::Vector3d(-30, 30, 0),
+                            Eigen::Vector3d(-30, 10, 0), Eigen::Vector3d(-50, 10, 0)}});
+  return plate;
+}
+
+PlateGrid sheetGrid() {
+  return gridOver(smallSheet(), 0.5);
+}
+
+cv::Point cellOf(double x_mm, double y_mm) {
+  const PlateGrid g = sheetGrid();
+  return {cvRound(x_mm / g.pitch_mm + g.middle()), cvRound(y_mm / g.pitch_mm + g.middle())};
+}
+
+/// Log brightness of a place against white paper, by photograph.
+using Covering = std::function<float(std::size_t photograph, double x_mm, double y_mm)>;
+
+// Twelve photographs of the print times the covering, each with an exposure of its own, a light
+// that falls off to the right by a third, and noise of 1 %.
+std::vector<cv::Mat3b> sheetPhotographs(const cv::Mat1f& printed, const Covering& covering) {
+  const PlateGrid g = sheetGrid();
+  std::mt19937 random(5);
+  std::normal_distribution<float> noise(0, 0.01F);
+  std::vector<cv::Mat3b> samples;
+  for (std::size_t i = 0; i < 12; ++i) {
+    cv::Mat3b& sample = samples.emplace_back(printed.size(), cv::Vec3b(0, 0, 0));
+    const float exposure = 0.02F * static_cast<float>(i);
+    for (int row = 0; row < printed.rows; ++row)
+      for (int column = 0; column < printed.cols; ++column) {
+        if (printed(row, column) < 0) continue;
+        const double x = g.pitch_mm * (column - g.middle()), y = g.pitch_mm * (row - g.middle());
+        const float ink = std::log(printed(row, column) + (1 - printed(row, column)) * 0.2F);
+        const float light = exposure - 0.0028F * static_cast<float>(x + 60);
+        for (int c = 0; c < 3; ++c) {
+          const float log = ink + light + covering(i, x, y) + noise(random);
+          sample(row, column)[c] = cv::saturate_cast<uchar>(170 * std::exp(log) - 4);
+        }
+      }
+  }
+  return samples;
+}
+
+bool inPatch(double x, double y, double cx, double cy, double radius) {
+  return std::hypot(x - cx, y - cy) < radius;
+}
+
+TEST(PrintedSheet, IsWhitePaperWithBlackMarkersAndNothingBeyondItsEdge) {
+  const Result<cv::Mat1f> printed = printedSheet(smallSheet(), sheetGrid());
+  ASSERT_TRUE(printed.has_value());
+  EXPECT_FLOAT_EQ((*printed)(cellOf(20, 0)), 1);
+  // The marker's border is a sixth of its side wide; its middle is 1.7 mm inside.
+  EXPECT_FLOAT_EQ((*printed)(cellOf(-48.3, 20)), 0);
+  EXPECT_FLOAT_EQ((*printed)(cellOf(-40, 28.3)), 0);
+  EXPECT_FLOAT_EQ((*printed)(cellOf(-52, 20)), 1);
+  EXPECT_LT((*printed)(cellOf(62, 0)), 0);
+}
+
+TEST(SheetPicture, KnowsLightAndExposureThoughSherdsCoverAThirdOfTheSheet) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> grain(-1.2F, -0.3F);
+  const auto samples = sheetPhotographs(printed, [&](std::size_t, double x, double y) {
+    return inPatch(x, y, 15, 0, 30) ? grain(random) : 0.F;
+  });
+  const SheetPicture picture = buildSheetPicture(samples, printed);
+  for (const std::size_t i : {0U, 11U})
+    for (const double x : {-55.0, 0.0, 55.0}) {
+      const PlateGrid g = sheetGrid();
+      const auto u = static_cast<float>(x / (g.pitch_mm * g.middle()));
+      const float expected =
+          std::log(170.F) + 0.02F * static_cast<float>(i) - 0.0028F * static_cast<float>(x + 60);
+      // Noise of 1 %, rounding of 0.6 %.
+      EXPECT_NEAR(picture.tones[i].paperAt(u, 0)[1], expected, 0.02F) << i << " at " << x;
+    }
+  EXPECT_NEAR(picture.tones[3].ink[1], std::log(0.2F), 0.05F);
+}
+
+TEST(SheetPicture, TakesAShadowThatAllPhotographsSeeAlikeForBareSheetAndGrainyClayNot) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  std::mt19937 random(1);
+  std::normal_distribution<float> grain(-0.5F, 0.12F);
+  const auto samples = sheetPhotographs(printed, [&](std::size_t, double x, double y) {
+    if (inPatch(x, y, 30, 0, 12)) return grain(random);  // clay: another grain to each photograph
+    return inPatch(x, y, -5, -15, 12) ? -0.5F : 0.F;
+  });
+  const SheetPicture picture = buildSheetPicture(samples, printed);
+  EXPECT_TRUE(picture.still_light);
+  EXPECT_NE(picture.witnessed(cellOf(-5, -15)), 0);
+  EXPECT_NE(picture.shade(cellOf(-5, -15)), 0);
+  EXPECT_NEAR(picture.correction(cellOf(-5, -15))[1], -0.5F, 0.03F);
+  EXPECT_EQ(picture.witnessed(cellOf(30, 0)), 0);
+  EXPECT_NEAR(picture.correction(cellOf(30, 0))[1], 0, 0.12F);
+  EXPECT_NE(picture.witnessed(cellOf(-10, 30)), 0);
+  EXPECT_EQ(picture.shade(cellOf(-10, 30)), 0);
+}
+
+TEST(SheetPicture, TellsEvenBlackClayFromAShadowByItsOutlineThatStandsAboveTheSheet) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  // A face 4 mm above the sheet, seen at 45 degrees from all around, and two shadows.
+  const auto samples = sheetPhotographs(printed, [&](std::size_t i, double x, double y) {
+    const double turn = 2 * M_PI * static_cast<double>(i) / 12;
+    if (inPatch(x, y, 30 + 4 * std::cos(turn), 4 * std::sin(turn), 12)) return -1.5F;
+    if (inPatch(x, y, -5, -25, 12)) return -0.3F;
+    return inPatch(x, y, -5, 10, 12) ? -1.2F : 0.F;
+  });
+  const SheetPicture picture = buildSheetPicture(samples, printed);
+  ASSERT_TRUE(picture.still_light);
+  EXPECT_EQ(picture.witnessed(cellOf(32, 0)), 0);
+  EXPECT_NEAR(picture.correction(cellOf(32, 0))[1], 0, 0.12F);
+  EXPECT_NE(picture.shade(cellOf(-5, 10)), 0);
+  EXPECT_NEAR(picture.correction(cellOf(-5, 10))[1], -1.2F, 0.05F);
+}
+
+TEST(SheetPicture, NoticesThatTheLightTurnsOverTheSheet) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  const auto samples = sheetPhotographs(printed, [](std::size_t i, double x, double y) {
+    const double turn = 2 * M_PI * static_cast<double>(i) / 12;
+    return inPatch(x, y, 30 * std::cos(turn), 20 * std::sin(turn), 15) ? -0.3F : 0.F;
+  });
+  const SheetPicture picture = buildSheetPicture(samples, printed);
+  EXPECT_FALSE(picture.still_light);
+  EXPECT_TRUE(picture.witnessed.empty());
+}
+
+}  // namespace
+}  // namespace ostraka::mask

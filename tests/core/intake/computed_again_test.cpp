@@ -1,0 +1,88 @@
+#include "intake/computed_again.h"
+
+#include "files/files.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+class ComputedAgain : public SmallProject {
+ protected:
+  ComputedAgain() : batch(newBatch({bag4})), output(project_->resultsFolder("B0001")) {}
+  void is(BatchState state) { ASSERT_TRUE(catalogue().setBatchState(batch, state, {})); }
+  BatchState state() { return catalogue().batch(batch)->state; }
+  Result<void> ask() { return queueAgain(catalogue(), "B0001", anna); }
+  bool askedMeanwhile() { return valueIn(queueIfAsked(catalogue(), "B0001", {})); }
+  bool takeOut() { return valueIn(takeOutOfQueue(catalogue(), "B0001", output, anna)); }
+
+  BatchRow batch;
+  std::filesystem::path output;
+};
+
+TEST_F(ComputedAgain, ABatchIsQueuedUnlessItIsBeingPhotographed) {
+  is(BatchState::Flipped);
+  EXPECT_FALSE(ask()) << "its back is being photographed again";
+  is(BatchState::Review);
+  ASSERT_TRUE(ask());
+  EXPECT_EQ(state(), BatchState::Queued);
+  EXPECT_EQ(catalogue().history("batch", batch.value)->front().by, anna.person);
+}
+
+TEST_F(ComputedAgain, WhatIsAskedWhileItIsComputedIsDoneWhenThatEnds) {
+  is(BatchState::Review);
+  ASSERT_TRUE(ask());
+  ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
+  ASSERT_TRUE(ask());
+  is(BatchState::Computed);
+  is(BatchState::Review);  // its results are entered
+  EXPECT_TRUE(askedMeanwhile());
+  EXPECT_EQ(state(), BatchState::Queued);
+  ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
+  is(BatchState::Done);
+  EXPECT_FALSE(askedMeanwhile()) << "once";
+  EXPECT_EQ(state(), BatchState::Done);
+}
+
+TEST_F(ComputedAgain, WhatIsAskedTwiceBeforeItBeginsIsDoneOnce) {
+  is(BatchState::Queued);
+  ASSERT_TRUE(ask());
+  ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
+  is(BatchState::Done);
+  EXPECT_FALSE(askedMeanwhile());
+}
+
+TEST_F(ComputedAgain, WhatIsPhotographedAgainMeanwhileIsNotQueued) {
+  is(BatchState::Queued);
+  ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
+  ASSERT_TRUE(ask());
+  is(BatchState::Flipped);
+  EXPECT_FALSE(askedMeanwhile());
+  EXPECT_EQ(state(), BatchState::Flipped);
+}
+
+TEST_F(ComputedAgain, TakenOutOfTheQueueABatchIsWhatItWas) {
+  ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
+  for (const BatchState before : {BatchState::Review, BatchState::Done}) {
+    is(before);
+    EXPECT_FALSE(takeOut()) << "it does not wait";
+    ASSERT_TRUE(ask());
+    EXPECT_TRUE(takeOut());
+    EXPECT_EQ(state(), before);
+  }
+}
+
+TEST_F(ComputedAgain, WhatIsNotAsItWasIsNotTakenOutSo) {
+  is(BatchState::Review);
+  ASSERT_TRUE(ask());
+  EXPECT_FALSE(takeOut()) << "its results are not whole: a computation of it was stopped";
+  ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
+  for (const BatchState before : {BatchState::Back, BatchState::Failed}) {
+    is(before);
+    is(BatchState::Queued);
+    EXPECT_FALSE(takeOut()) << "those results are of other photographs, or were never entered";
+    EXPECT_EQ(state(), BatchState::Queued);
+  }
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

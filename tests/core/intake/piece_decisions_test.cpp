@@ -1,0 +1,93 @@
+#include "intake/piece_decisions.h"
+
+#include "store/migrations.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+class PieceDecisions : public SmallProject {
+ protected:
+  PieceDecisions() { batch = newBatch({bag4}); }
+  PieceDecision join() {
+    PieceDecision d;
+    d.batch = batch;
+    d.side = batch::Side::Back;
+    d.pieces = {{"b003", {10.5, -20}}, {"b004", {30, -22.25}}};
+    d.note = "decision 1";
+    return d;
+  }
+  BatchRow batch;
+};
+
+TEST_F(PieceDecisions, KeepWhoWhenWhereAndWhichPieces) {
+  ASSERT_TRUE(decidePieces(catalogue(), join(), anna));
+  PieceDecision cut = join();
+  cut.side = batch::Side::Front;
+  cut.verdict = PieceVerdict::Cut;
+  cut.pieces.resize(1);
+  cut.cut_mm = {Eigen::Vector2d(1.25, 2), Eigen::Vector2d(3, 4)};
+  ASSERT_TRUE(decidePieces(catalogue(), cut, anna));
+  const std::vector<PieceDecision> all = valueIn(pieceDecisions(catalogue(), batch));
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].by, anna.person);
+  EXPECT_GT(all[0].at_ms, 1'790'000'000'000);
+  EXPECT_EQ(all[0].side, batch::Side::Back);
+  EXPECT_EQ(all[0].verdict, PieceVerdict::Join);
+  ASSERT_EQ(all[0].pieces.size(), 2u);
+  EXPECT_EQ(all[0].pieces[1].name, "b004");
+  EXPECT_EQ(all[0].pieces[1].place_mm, Eigen::Vector2d(30, -22.25));
+  EXPECT_EQ(all[1].verdict, PieceVerdict::Cut);
+  EXPECT_EQ(all[1].cut_mm[0], Eigen::Vector2d(1.25, 2));
+  EXPECT_EQ(all[1].cut_mm[1], Eigen::Vector2d(3, 4));
+}
+
+TEST_F(PieceDecisions, AreTakenBackByAnotherRowAndNeverRemoved) {
+  const PieceDecisionRow row = *decidePieces(catalogue(), join(), anna);
+  PieceDecision back = join();
+  back.verdict = PieceVerdict::Withdraw;
+  back.replaces = row;
+  ASSERT_TRUE(decidePieces(catalogue(), back, anna));
+  EXPECT_EQ(valueIn(pieceDecisions(catalogue(), batch)).size(), 2u);
+  EXPECT_THROW(catalogue().database().sql("DELETE FROM piece_decision").run(), SqlFailure);
+  EXPECT_THROW(catalogue().database().sql("UPDATE piece_decision SET note = ''").run(), SqlFailure);
+}
+
+TEST_F(PieceDecisions, WithoutAPersonOrPiecesAreRefused) {
+  EXPECT_FALSE(decidePieces(catalogue(), join(), {}));
+  PieceDecision one = join();
+  one.pieces.resize(1);
+  EXPECT_FALSE(decidePieces(catalogue(), one, anna));
+  PieceDecision stray = join();
+  stray.verdict = PieceVerdict::Withdraw;
+  stray.replaces = {77};
+  EXPECT_FALSE(decidePieces(catalogue(), stray, anna));
+  EXPECT_TRUE(valueIn(pieceDecisions(catalogue(), batch)).empty());
+}
+
+TEST(PieceDecisionsOfAnOlderCatalogue, FindTheirTableAfterTheUpdateAndItsRowsAreKept) {
+  const TemporaryFolder folder;
+  const auto database =
+      std::move(*Database::open(folder.path() / "c.sqlite", Database::Mode::Create));
+  ASSERT_TRUE(migrate(*database, migrations().first(1), {}));
+  database->script(
+      "INSERT INTO person (id, created_at, updated_at, name, initials, initials_key) VALUES ('p', "
+      "1, "
+      "1, 'Anna', 'AP', 'ap')");
+  int backups = 0;
+  ASSERT_TRUE(migrate(*database, migrations(), [&]() -> Result<void> {
+    ++backups;
+    return {};
+  }));
+  EXPECT_EQ(backups, 1);
+  Statement row =
+      database->sql("SELECT (SELECT count(*) FROM person), (SELECT count(*) FROM piece_decision)");
+  int persons = 0, decisions = -1;
+  ASSERT_TRUE(row.next());
+  row >> persons >> decisions;
+  EXPECT_EQ(persons, 1);
+  EXPECT_EQ(decisions, 0);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,423 @@
+// A person's decisions in the catalogue: rows are only added, and what counts follows.
+#include "intake/review_decisions.h"
+
+#include <nlohmann/json.hpp>
+
+#include "decisions/candidate_table.h"
+#include "files/files.h"
+#include "intake/piece_decisions.h"
+#include "tests/core/catalogue/result_folder.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using pipeline::DecisionKind;
+
+class ReviewDecisions : public SmallProject {
+ protected:
+  ReviewDecisions() : batch(newBatch({bag4})) {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      ScanRecord scan;
+      scan.batch = batch;
+      scan.side = side;
+      scan.index = 1;
+      scan.name = side == batch::Side::Front ? "f001" : "b001";
+      scan.path = "results/B0001/scans/" + scan.name + ".ply";
+      EXPECT_TRUE(catalogue().save(scan, {}));
+    }
+  }
+  static pipeline::PairDecision decision(DecisionKind kind, int number) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.number = number;
+    d.by = "AP";
+    d.scans = {{batch::Side::Front, "f001", {0, 0}}, {batch::Side::Back, "b001", {0, 0}}};
+    return d;
+  }
+  Result<void> enter(const pipeline::PairDecision& d) {
+    return enterDecision(catalogue(), "B0001", d, project_->resultsFolder("B0001"));
+  }
+  BatchRow batch;
+};
+
+TEST_F(ReviewDecisions, APairCountsAndItsWithdrawalTakesItBack) {
+  const std::size_t persons = catalogue().persons()->size();
+  const Result<void> entered = enter(decision(DecisionKind::Pair, 1));
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+  EXPECT_EQ(catalogue().currentDecisions(batch)->front().verdict, Verdict::Accept);
+  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 2);
+  back.replaces = {1};
+  ASSERT_TRUE(enter(back));
+  EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 2u);
+  EXPECT_EQ(catalogue().persons()->size(), persons) << "AP was there";
+}
+
+TEST_F(ReviewDecisions, InitialsInOtherCapitalsAreTheSamePerson) {
+  pipeline::PairDecision typed = decision(DecisionKind::Aside, 2);
+  typed.by = "ap";
+  const Result<void> entered = enter(typed);
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  for (const PairDecision& row : valueIn(catalogue().decisions(batch)))
+    EXPECT_EQ(row.by, anna.person);
+}
+
+TEST_F(ReviewDecisions, EachScanSetAsideHasARow) {
+  ASSERT_TRUE(enter(decision(DecisionKind::Aside, 1)));
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 2u);
+}
+
+TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
+  pipeline::PairDecision join = decision(DecisionKind::Join, 2);
+  join.scans[0] = {batch::Side::Back, "b002", {5, 6}};
+  ASSERT_TRUE(enter(join));
+  pipeline::PairDecision back = join;
+  back.kind = DecisionKind::Withdraw;
+  back.number = 3;
+  back.replaces = {2};
+  ASSERT_TRUE(enter(back));
+  const auto kept = pieceDecisions(catalogue(), batch);
+  ASSERT_EQ(kept->size(), 2u);
+  EXPECT_EQ(kept->at(0).side, batch::Side::Back);
+  EXPECT_EQ(kept->at(0).pieces.at(0).name, "b002");
+  EXPECT_EQ(kept->at(1).verdict, PieceVerdict::Withdraw);
+  EXPECT_EQ(kept->at(1).replaces, kept->at(0).row);
+  EXPECT_TRUE(catalogue().decisions(batch)->empty());
+}
+
+TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
+  pipeline::PairDecision d = decision(DecisionKind::Pair, 1);
+  d.scans[1].id = "b009";
+  const Result<void> refused = enter(d);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence().find("b009"), std::string::npos);
+  EXPECT_FALSE(enterDecision(catalogue(), "B0077", d, project_->resultsFolder("B0077")));
+}
+
+// The pieces were numbered anew between the decision and its entry.
+TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
+  std::vector<ScanRecord> scans = valueIn(catalogue().scans(batch));
+  ScanRecord other = scans.front();
+  for (ScanRecord& scan : scans) {
+    scan.plate_x_mm = 40;
+    scan.plate_y_mm = 0;
+    ASSERT_TRUE(catalogue().save(scan, {}));
+  }
+  other.row = {};
+  other.index = 2;
+  other.name = "f002";
+  other.plate_x_mm = other.plate_y_mm = 0;
+  const ScanRow meant = *catalogue().save(other, {});
+  pipeline::PairDecision d = decision(DecisionKind::Aside, 1);
+  d.scans = {{batch::Side::Front, "f001", {3, 1}}};
+  ASSERT_TRUE(enter(d));
+  EXPECT_EQ(catalogue().decisions(batch)->front().front, meant);
+  // Another piece has its old name by now, and none lies where it lay.
+  d.number = 2;
+  d.scans = {{batch::Side::Front, "f001", {90, 90}}};
+  EXPECT_FALSE(enter(d));
+}
+
+TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
+  const std::filesystem::path output = project_->resultsFolder("B0001");
+  std::filesystem::create_directories(output);
+  const auto append = [&](DecisionKind kind, std::vector<pipeline::ScanRef> scans) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.by = "AP";
+    d.scans = std::move(scans);
+    const auto written = pipeline::appendDecision(output, d);
+    EXPECT_TRUE(written) << (written ? "" : written.error().sentence());
+    return *written;
+  };
+  const pipeline::ScanRef front{batch::Side::Front, "f001", {0, 0}},
+      back{batch::Side::Back, "b001", {0, 0}};
+  ASSERT_TRUE(enter(append(DecisionKind::Aside, {front})));
+  append(DecisionKind::Pair, {front, back});
+  append(DecisionKind::Aside, {{batch::Side::Front, "f007", {90, 90}}});
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "f007 is gone";
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
+  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+  const PairDecision now = catalogue().currentDecisions(batch)->front();
+  EXPECT_EQ(now.verdict, Verdict::Accept);
+  EXPECT_EQ(now.by, anna.person);
+}
+
+// Rows that came with another computer's export, or of a results folder that was moved away.
+TEST_F(ReviewDecisions, ADecisionOfAnotherFileIsNotMistakenForOneOfTheSameNumber) {
+  const std::filesystem::path output = project_->resultsFolder("B0001");
+  std::filesystem::create_directories(output);
+  pipeline::PairDecision elsewhere = decision(DecisionKind::Pair, 1);
+  elsewhere.at = "2026-03-01T09:30:12Z";
+  ASSERT_TRUE(enter(elsewhere));
+  pipeline::PairDecision here = decision(DecisionKind::Pair, 0);
+  here = *pipeline::appendDecision(output, here);
+  ASSERT_EQ(here.number, 1);
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "it is not there already";
+  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
+  back.replaces = {1};
+  ASSERT_TRUE(enter(*pipeline::appendDecision(output, back)));
+  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u) << "the other's word stands";
+  EXPECT_EQ(catalogue().currentDecisions(batch)->front().note,
+            "decision 1 of 2026-03-01T09:30:12Z");
+}
+
+TEST_F(ReviewDecisions, RowsThatAnEarlierProgramMarkedByTheNumberAloneAreKnown) {
+  const std::filesystem::path output = project_->resultsFolder("B0001");
+  std::filesystem::create_directories(output);
+  now_ms = 4'102'444'800'000;  // 1 January 2100: they are entered after they were taken
+  ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
+  ASSERT_EQ(catalogue().decisions(batch)->front().note, "decision 1");
+  ASSERT_TRUE(pipeline::appendDecision(output, decision(DecisionKind::Pair, 0)));
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
+  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
+  back.replaces = {1};
+  const pipeline::PairDecision taken = *pipeline::appendDecision(output, back);
+  ASSERT_TRUE(enter(taken));
+  EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
+  // One that was entered before this file was begun is none of it.
+  now_ms = 946'684'800'000;  // 1 January 2000
+  ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
+  ASSERT_TRUE(enter(taken));
+  EXPECT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+}
+
+// Two fronts and two backs with their places, and decisions.json beside the table of these results.
+class ResultsOfDecisions : public ReviewDecisions {
+ protected:
+  ResultsOfDecisions() : output(project_->resultsFolder("B0001")) {
+    std::filesystem::create_directories(output);
+    for (int i = 1; i <= 2; ++i)
+      for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+        ScanRecord record;
+        for (const ScanRecord& there : valueIn(catalogue().scans(batch)))
+          if (there.side == side && there.index == i) record = there;
+        record.batch = batch;
+        record.side = side;
+        record.index = i;
+        record.name = idOf(side, i);
+        record.path = "results/B0001/scans/" + record.name + ".ply";
+        record.plate_x_mm = 40 * i;
+        record.plate_y_mm = 0;
+        rows[{side, i}] = *catalogue().save(record, {});
+      }
+    computed("first", {40, 80});
+  }
+  static std::string idOf(batch::Side side, int i) {
+    return (side == batch::Side::Front ? "f00" : "b00") + std::to_string(i);
+  }
+  // The chain's results: pieces of both sides at these places, in photographs of this name.
+  void computed(const std::string& photographs, const std::vector<double>& at_mm) {
+    pipeline::CandidateTable table;
+    for (std::size_t i = 0; i < at_mm.size(); ++i) {
+      const int n = static_cast<int>(i) + 1;
+      table.fronts.push_back({batch::Side::Front, idOf(batch::Side::Front, n), {at_mm[i], 0}, {}});
+      table.backs.push_back({batch::Side::Back, idOf(batch::Side::Back, n), {at_mm[i], 0}, {}});
+      table.fronts.back().photographs = table.backs.back().photographs = photographs;
+    }
+    ASSERT_TRUE(
+        writeFileAtomically(output / "work/pairs/candidates.json", pipeline::toJson(table).dump()));
+  }
+  pipeline::PairDecision taken(DecisionKind kind, std::vector<pipeline::ScanRef> scans,
+                               std::vector<int> replaces = {}) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.by = "AP";
+    d.scans = std::move(scans);
+    d.replaces = std::move(replaces);
+    return valueIn(pipeline::appendDecision(output, d));
+  }
+  static pipeline::ScanRef front(int i) {
+    return {batch::Side::Front, idOf(batch::Side::Front, i), {40.0 * i, 0}, "first"};
+  }
+  static pipeline::ScanRef back(int i) {
+    return {batch::Side::Back, idOf(batch::Side::Back, i), {40.0 * i, 0}, "first"};
+  }
+  // The i-th front by its new number and place.
+  ScanRow moved(int i, int number, double x_mm) {
+    for (ScanRecord scan : valueIn(catalogue().scans(batch)))
+      if (scan.row == rows[{batch::Side::Front, i}]) {
+        scan.index = 10 + number;  // out of the way of the other
+        scan.name = idOf(batch::Side::Front, number);
+        scan.plate_x_mm = x_mm;
+        return *catalogue().save(scan, {});
+      }
+    return {};
+  }
+  int follow() { return valueIn(followDecisions(catalogue(), "B0001", output)); }
+  /// "f1-b2 f2": what counts, fronts first.
+  std::string counting() {
+    std::string text;
+    for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch))) {
+      text += text.empty() ? "" : " ";
+      for (const auto& [key, row] : rows)
+        if (key.first == batch::Side::Front && row == d.front)
+          text += "f" + std::to_string(key.second);
+      for (const auto& [key, row] : rows)
+        if (key.first == batch::Side::Back && row == d.back)
+          text += "-b" + std::to_string(key.second);
+    }
+    return text;
+  }
+  std::filesystem::path output;
+  std::map<std::pair<batch::Side, int>, ScanRow> rows;
+};
+
+TEST_F(ResultsOfDecisions, AWithdrawalThatTheCatalogueMissedIsEntered) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  taken(DecisionKind::Withdraw, {}, {1});
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(counting(), "");
+  const PairDecision end = valueIn(catalogue().decisions(batch)).back();
+  EXPECT_EQ(end.by, anna.person);
+  EXPECT_EQ(end.note.rfind("decision 2 of ", 0), 0U) << end.note;
+  EXPECT_EQ(follow(), 0);
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 2U) << "nothing is deleted";
+}
+
+TEST_F(ResultsOfDecisions, WhatWasSaidOfEarlierPhotographsDoesNotCount) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  taken(DecisionKind::Aside, {front(2)});  // the catalogue was busy
+  computed("second", {40, 80});
+  follow();
+  EXPECT_EQ(counting(), "");
+  EXPECT_EQ(follow(), 0);
+  computed("first", {40, 80});  // the photographs were put back
+  EXPECT_EQ(follow(), 2);
+  EXPECT_EQ(counting(), "f1-b2 f2");
+}
+
+TEST_F(ResultsOfDecisions, WhatWasSaidOfAPieceThatIsGoneDoesNotCount) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Aside, {front(2), back(2)})));
+  computed("first", {55, 80});
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(counting(), "-b2 f2");
+}
+
+// Taken back, photographed again, done again: at its places other sherds lie by now.
+TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPairsNobody) {
+  const pipeline::PairDecision pair = taken(DecisionKind::Pair, {front(1), back(2)});
+  ASSERT_TRUE(enter(pair));
+  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {pair.number})));
+  computed("second", {40, 80});
+  const Result<void> again = enter(taken(DecisionKind::Pair, pair.scans));
+  ASSERT_FALSE(again);
+  EXPECT_NE(again.error().what.find("photographed again"), std::string::npos);
+  EXPECT_EQ(counting(), "");
+  EXPECT_EQ(follow(), 0) << "the chain says the same";
+  pipeline::ScanRef now = back(2);
+  now.photographs = "second";
+  pipeline::ScanRef with = front(1);
+  with.photographs = "second";
+  EXPECT_TRUE(enter(taken(DecisionKind::Pair, {with, now})));
+  EXPECT_EQ(counting(), "f1-b2");
+}
+
+// The program ended between the file and the catalogue.
+TEST_F(ResultsOfDecisions, WhatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened) {
+  const auto caught = [this] { return valueIn(catchUp(project_->folder(), "B0001", output)); };
+  taken(DecisionKind::Pair, {front(1), back(1)});
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  EXPECT_EQ(caught(), 0) << "its results are not whole";
+  ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
+  EXPECT_EQ(caught(), 0) << "its back is being photographed again";
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  EXPECT_EQ(caught(), 1);
+  EXPECT_EQ(counting(), "f1-b1");
+  EXPECT_EQ(caught(), 0);
+  EXPECT_EQ(valueIn(catchUp(project_->folder(), "B0077", output)), 0) << "not in the catalogue";
+}
+
+TEST_F(ResultsOfDecisions, WhatALaterDecisionStandsAboveCountsAgainWhenThatIsTakenBack) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  EXPECT_EQ(follow(), 0);
+  EXPECT_EQ(counting(), "f1-b2");
+  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {2})));
+  EXPECT_EQ(counting(), "f1-b1");
+  EXPECT_EQ(follow(), 0);
+  // One that replaced only a part of an earlier one frees the rest of it.
+  ASSERT_TRUE(enter(taken(DecisionKind::Aside, {front(1), front(2)})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(counting(), "f1-b1");
+}
+
+TEST_F(ResultsOfDecisions, WhatWasDecidedInTheCatalogueStays) {
+  PairDecision own;
+  own.batch = batch;
+  own.front = rows.at({batch::Side::Front, 1});
+  own.back = rows.at({batch::Side::Back, 2});
+  ASSERT_TRUE(catalogue().decide(own, anna));
+  own.note = "decision 1 of 2026-03-01T09:30:12Z";  // of another computer's file
+  own.front = rows.at({batch::Side::Front, 2});
+  own.back = rows.at({batch::Side::Back, 1});
+  ASSERT_TRUE(catalogue().decide(own, anna));
+  taken(DecisionKind::Reshoot, {front(1)});
+  taken(DecisionKind::Withdraw, {}, {1});
+  now_ms = 4'102'444'800'000;  // 1 January 2100
+  const Provenance other{*catalogue().personByInitials("MH", anna), "import", {}};
+  own.note = "decision 1";  // the same by an earlier program, of another person
+  ASSERT_TRUE(catalogue().decide(own, other));
+  computed("second", {300, 400});
+  EXPECT_EQ(follow(), 0);
+  EXPECT_EQ(counting(), "f1-b2 f2-b1");
+}
+
+TEST_F(ResultsOfDecisions, JoinsThatWereTakenBackAreTakenBack) {
+  taken(DecisionKind::Join, {front(1), front(2)});
+  EXPECT_EQ(follow(), 1);
+  computed("first", {60});
+  EXPECT_EQ(follow(), 0) << "its pieces are one now";
+  taken(DecisionKind::Withdraw, {}, {1});
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(pieceDecisions(catalogue(), batch)->back().verdict, PieceVerdict::Withdraw);
+}
+
+TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
+  const pipeline::PairDecision join = taken(DecisionKind::Join, {front(1), front(2)});
+  SherdRecord whole;
+  whole.context = context12;
+  whole.batch = batch;
+  whole.front = rows[{batch::Side::Front, 1}];
+  whole.back = rows[{batch::Side::Back, 1}];
+  const SherdRow sherd = valueIn(catalogue().addSherd(whole, anna));
+  ASSERT_TRUE(catalogue().setModel(sherd, "models/B0001/1/model.ply", ""));
+  const pipeline::PairDecision back = taken(DecisionKind::Withdraw, {}, {join.number});
+  ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
+  EXPECT_FALSE(catalogue().sherd(sherd)->model_path.empty()) << "the join was never computed";
+  ASSERT_TRUE(writeFileAtomically(
+      output / "report.json",
+      nlohmann::json({{"format", "ostraka-report/1"}, {"decisions", {join.number}}}).dump()));
+  // One piece now, and called otherwise: a stranger that was found beside it has its name.
+  SherdRecord strange;
+  strange.context = context12;
+  strange.batch = batch;
+  strange.front = moved(2, 1, -80);
+  moved(1, 2, 60);
+  const SherdRow stranger = valueIn(catalogue().addSherd(strange, anna));
+  ASSERT_TRUE(catalogue().setModel(stranger, "models/B0001/2/model.ply", ""));
+  ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
+  EXPECT_TRUE(catalogue().sherd(sherd)->model_path.empty());
+  EXPECT_FALSE(catalogue().sherd(stranger)->model_path.empty());
+}
+
+TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "", false)) << "nobody said a name";
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  BatchRecord doubtful = *catalogue().batch(batch);
+  doubtful.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
+  ASSERT_TRUE(catalogue().saveBatch(doubtful, {}));
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,70 @@
+#include "intake/sherd_moves.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Moves : public SmallProject {
+ protected:
+  Moves() {
+    first = draft(context12, bag4);
+    second = draft(context12, bag5);
+    EXPECT_TRUE(catalogue().assignNumbers(std::vector{first, second}, anna));
+  }
+  Move move(const std::vector<FieldChange>& wanted) { return valueIn(moveOf(catalogue(), wanted)); }
+
+  SherdRow first, second;
+};
+
+TEST_F(Moves, LeaveTheBagsOfTheOldContextAndUndoBringsThemBack) {
+  const Move both = move({{first, "context", "0013"}, {second, "context", "0013"}});
+  EXPECT_EQ(both.without_bag, 2);
+  EXPECT_THAT(both.bags, ElementsAre("4", "5"));
+  EXPECT_THAT(both.numbers, ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0012-0002"));
+  const Result<std::vector<FieldChange>> undo = catalogue().change(both.changes, anna);
+  ASSERT_TRUE(undo) << undo.error().sentence();
+  EXPECT_EQ(valueOf(first, "context"), "0013");
+  EXPECT_EQ(valueOf(first, "bag"), "");
+  EXPECT_EQ(valueOf(second, "bag"), "");
+  ASSERT_TRUE(catalogue().change(*undo, anna));
+  EXPECT_EQ(valueOf(first, "context"), "0012");
+  EXPECT_EQ(valueOf(first, "bag"), "4");
+  EXPECT_EQ(valueOf(second, "bag"), "5");
+}
+
+TEST_F(Moves, IntoABagOfTheNewContextEmptyNone) {
+  const Move named = move({{first, "context", "0013"}, {first, "bag", "1"}});
+  EXPECT_EQ(named.changes.size(), 2u);
+  EXPECT_EQ(named.without_bag, 0);
+  EXPECT_THAT(named.numbers, ElementsAre("ARM1-T3-0012-0001"));
+  // Another bag than the one that it lies in, though of its number.
+  const SherdRow third = draft(context12, bag(context12, "1"));
+  EXPECT_EQ(move({{third, "context", "0013"}}).without_bag, 1);
+}
+
+TEST_F(Moves, ThatAreNoneOrAreRefusedLeaveNothing) {
+  for (const char* context : {"0012", "0099", ""}) {
+    const Move none = move({{first, "context", context}});
+    EXPECT_EQ(none.changes.size(), 1u) << context;
+    EXPECT_EQ(none.without_bag, 0) << context;
+    EXPECT_THAT(none.numbers, IsEmpty()) << context;
+  }
+  EXPECT_EQ(move({{draft(context12, bag4), "context", ""}}).without_bag, 1) << "a draft may";
+}
+
+TEST_F(Moves, TellNoNumbersWhereTheSchemeNamesNoContext) {
+  ProjectRecord project = *catalogue().project();
+  project.numbering = "{site}-{n}";
+  ASSERT_TRUE(catalogue().setProject(project, anna));
+  const SherdRow third = numbered(context12);
+  EXPECT_THAT(move({{third, "context", "0013"}}).numbers, IsEmpty());
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,26 @@
+#include "paper/markup.h"
+
+#include <gtest/gtest.h>
+
+namespace ostraka {
+namespace {
+
+TEST(Markup, EscapesWhatWouldEndATextOrAnAttribute) {
+  EXPECT_EQ(markupText("a<b> & \"c\"\n'd'"), "a&lt;b&gt; &amp; &quot;c&quot; 'd'");
+}
+
+// The vectors of RFC 4648, section 10.
+TEST(Markup, WritesBase64AsTheStandardDoes) {
+  const char* vectors[][2] = {{"", ""},
+                              {"f", "Zg=="},
+                              {"fo", "Zm8="},
+                              {"foo", "Zm9v"},
+                              {"foob", "Zm9vYg=="},
+                              {"fooba", "Zm9vYmE="},
+                              {"foobar", "Zm9vYmFy"}};
+  for (const auto& [plain, coded] : vectors) EXPECT_EQ(base64(plain), coded);
+  EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
+}  // namespace
+}  // namespace ostraka

@@ -1,0 +1,58 @@
+#include "records/numbering.h"
+
+#include <gtest/gtest.h>
+
+namespace ostraka::catalogue {
+namespace {
+
+const std::map<std::string, std::string> kPlace = {{"site", "ARM1"},    {"trench", "T3"},
+                                                   {"context", "0012"}, {"bag", "4"},
+                                                   {"yyyy", "2026"},    {"yy", "26"}};
+
+TEST(Numbering, TheHousesOwnSchemeGivesTheHousesOwnNumber) {
+  const Result<Numbering> scheme = Numbering::parse("{site}-{trench}-{context}-{n:04}");
+  ASSERT_TRUE(scheme) << scheme.error().what;
+  EXPECT_EQ(*scheme->number(kPlace, 7), "ARM1-T3-0012-0007");
+  EXPECT_EQ(*scheme->counter(kPlace), "ARM1-T3-0012-{n}");
+  EXPECT_TRUE(scheme->uses("trench"));
+  EXPECT_FALSE(scheme->uses("bag"));
+}
+
+TEST(Numbering, AWidthIsALeastWidth) {
+  const Result<Numbering> scheme = Numbering::parse("{n:03}/{bag:02}.{yy}");
+  ASSERT_TRUE(scheme) << scheme.error().what;
+  EXPECT_EQ(*scheme->number(kPlace, 7), "007/04.26");
+  EXPECT_EQ(*scheme->number(kPlace, 12345), "12345/04.26");
+}
+
+TEST(Numbering, SchemesThatCannotWorkAreRefusedWithTheReason) {
+  const auto why = [](const char* scheme) {
+    const Result<Numbering> parsed = Numbering::parse(scheme);
+    return parsed ? std::string("accepted") : parsed.error().what;
+  };
+  EXPECT_NE(why("{site}{n}").find("touch"), std::string::npos);
+  EXPECT_NE(why("{site}-x").find("exactly once"), std::string::npos);
+  EXPECT_NE(why("{n}-{n}").find("exactly once"), std::string::npos);
+  EXPECT_NE(why("{area}-{n}").find("no token {area}"), std::string::npos);
+  EXPECT_NE(why("{n").find("does not close"), std::string::npos);
+  EXPECT_NE(why("a b-{n}").find("character ' '"), std::string::npos);
+  EXPECT_NE(why("{n:4}").find(":04"), std::string::npos);
+  EXPECT_NE(why("{n:099}").find(":04"), std::string::npos);
+  EXPECT_EQ(why("{n}"), "accepted");
+}
+
+TEST(Numbering, APlaceThatIsNotRecordedIsNamed) {
+  const Result<std::string> number = Numbering::parse("{batch}-{n}")->number(kPlace, 1);
+  ASSERT_FALSE(number);
+  EXPECT_NE(number.error().what.find("batch"), std::string::npos);
+}
+
+TEST(Numbering, AValueThatHoldsTheSignBesideItWarns) {
+  const Numbering scheme = *Numbering::parse("{site}-{context}-{n}");
+  EXPECT_EQ(scheme.warning(kPlace), "");
+  EXPECT_NE(scheme.warning({{"site", "ARM1"}, {"context", "12-3"}}).find("12-3"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,70 @@
+#include "store/names.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace ostraka::catalogue {
+namespace {
+
+TEST(Names, AnIdIsAUuidOfVersionSevenThatBeginsWithTheTime) {
+  const std::string id = newId(0x019f5ff639c0);
+  EXPECT_TRUE(isUuid(id)) << id;
+  EXPECT_EQ(id.substr(0, 13), "019f5ff6-39c0");
+  EXPECT_EQ(id[14], '7');
+  EXPECT_NE(std::string("89ab").find(id[19]), std::string::npos);
+}
+
+TEST(Names, IdsOfTheSameMillisecondDiffer) {
+  std::set<std::string> ids;
+  for (int i = 0; i < 1000; ++i) ids.insert(newId(1));
+  EXPECT_EQ(ids.size(), 1000u);
+}
+
+TEST(Names, WhatIsNoUuidIsSeen) {
+  EXPECT_FALSE(isUuid(""));
+  EXPECT_FALSE(isUuid("019f5ff6-39c0-7b3a-9c55-2f7e8d104ab"));
+  EXPECT_FALSE(isUuid("019f5ff6-39c0-7b3a-9c55-2f7e8d104abg"));
+  EXPECT_FALSE(isUuid("019f5ff6x39c0-7b3a-9c55-2f7e8d104ab6"));
+}
+
+TEST(Names, BadUtf8IsSeen) {
+  EXPECT_TRUE(isUtf8("Tell Brak, Գառնի, \xF0\x9F\x8F\xBA"));
+  EXPECT_FALSE(isUtf8(std::string_view("a\0b", 3)));
+  EXPECT_FALSE(isUtf8("\xC3"));              // broken off
+  EXPECT_FALSE(isUtf8("\xC0\x80"));          // zero, overlong
+  EXPECT_FALSE(isUtf8("\xE0\x80\x80"));      // overlong
+  EXPECT_FALSE(isUtf8("\xED\xA0\x80"));      // half a surrogate pair
+  EXPECT_FALSE(isUtf8("\xF4\x90\x80\x80"));  // beyond Unicode
+  EXPECT_FALSE(isUtf8("\xFF"));
+}
+
+TEST(Names, TheSameLettersHaveTheSameKeyHoweverTheyAreWritten) {
+  EXPECT_EQ(uniqueKey("É-1"), uniqueKey("é-1"));
+  EXPECT_EQ(uniqueKey("E\xCC\x81-1"), uniqueKey("é-1"));  // E and a combining accent
+  EXPECT_EQ(uniqueKey("ARM1-T3"), "arm1-t3");
+  EXPECT_EQ(uniqueKey("Straße"), uniqueKey("STRASSE"));
+  EXPECT_NE(uniqueKey("0012"), uniqueKey("12"));
+}
+
+TEST(Names, NumbersAreOrderedByTheirValue) {
+  std::vector<std::string> names = {"A10", "a9", "A100", "B1", "A009", "A9-10", "A9-2"};
+  std::sort(names.begin(), names.end(),
+            [](const auto& a, const auto& b) { return sortKey(a) < sortKey(b); });
+  EXPECT_THAT(names,
+              testing::ElementsAre(testing::AnyOf("a9", "A009"), testing::AnyOf("a9", "A009"),
+                                   "A9-2", "A9-10", "A10", "A100", "B1"));
+}
+
+TEST(Names, AFileNameHoldsNothingThatAFileSystemOrAManifestCouldMisread) {
+  EXPECT_EQ(slug("Ar/Ts.WSH.02.C.12"), "Ar_Ts.WSH.02.C.12");
+  EXPECT_EQ(slug("../x"), "_._x");
+  EXPECT_EQ(slug("a%b\nc d"), "a_b_c_d");
+  EXPECT_EQ(slug(""), "_");
+  EXPECT_EQ(slug("Գ-1"), "Գ-1");
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,222 @@
+#include "store/page_checksums.h"
+
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <set>
+#include <vector>
+
+#include "store/file_header.h"
+#include "store/migrations.h"
+#include "tests/core/catalogue/flipped_bits.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PageChecksums : public SmallProject {
+ protected:
+  void fill(int sherds) {
+    for (int i = 0; i < sherds; ++i) {
+      const SherdRow sherd = i % 3 == 0 ? draft(context13, bag1) : numbered(context12);
+      EXPECT_TRUE(set(sherd, "ware", i % 2 == 0 ? "grey" : "red slipped"));
+      EXPECT_TRUE(set(sherd, "length_mm", std::to_string(20 + i)));
+      EXPECT_TRUE(set(sherd, "note", "found beside the oven, number " + std::to_string(i)));
+    }
+  }
+  fs::path folder() const { return folder_.path() / "project"; }
+  fs::path file() const { return folder() / "catalogue.sqlite"; }
+};
+
+// What a process leaves that is killed after it has saved.
+template <class Work>
+void inAKilledProcess(Work work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+// As any program that knows SQLite opens it.
+std::string askedOfPlainSqlite(const fs::path& file, const char* sql) {
+  sqlite3* database = nullptr;
+  std::string answer;
+  const auto collect = [](void* to, int count, char** values, char**) {
+    for (int i = 0; i < count; ++i) *static_cast<std::string*>(to) += values[i] ? values[i] : "";
+    return 0;
+  };
+  char* error = nullptr;
+  if (sqlite3_open(file.c_str(), &database) != SQLITE_OK ||
+      sqlite3_exec(database, sql, collect, &answer, &error) != SQLITE_OK)
+    answer = std::string("error: ") + (error ? error : "cannot be opened");
+  sqlite3_free(error);
+  sqlite3_close(database);
+  return answer;
+}
+
+TEST_F(PageChecksums, EachPageOfTheFileCarriesItsOwn) {
+  fill(30);
+  project_.reset();
+  const std::string bytes = bytesOf(file());
+  ASSERT_GT(bytes.size(), 20 * kPageBytes);
+  ASSERT_EQ(bytes.size() % kPageBytes, 0u);
+  for (std::size_t at = 0; at < bytes.size(); at += kPageBytes)
+    EXPECT_TRUE(isWholePage(reinterpret_cast<const unsigned char*>(bytes.data()) + at,
+                            static_cast<std::uint32_t>(at / kPageBytes) + 1))
+        << "page " << at / kPageBytes + 1;
+}
+
+TEST_F(PageChecksums, AreNotThoseOfAnotherPageOrOfAnEmptyOne) {
+  std::vector<unsigned char> page(kPageBytes, 0);
+  EXPECT_FALSE(isWholePage(page.data(), 1)) << "a page that was never written";
+  page[7] = 3;
+  storeChecksum(page.data(), 5);
+  EXPECT_TRUE(isWholePage(page.data(), 5));
+  EXPECT_FALSE(isWholePage(page.data(), 6)) << "written to the wrong place";
+}
+
+// A repair turns back the one bit that fits, so no two may fit.
+TEST_F(PageChecksums, AreOthersForEachFlippedBit) {
+  std::mt19937_64 random(3);
+  for (std::uint32_t number = 1; number <= 12; ++number) {
+    std::vector<unsigned char> page(kPageBytes, 0);
+    for (std::size_t i = 0; number > 1 && i < kPageBytes - kReservedBytes; ++i)
+      page[i] = static_cast<unsigned char>(random());
+    std::set<std::uint64_t> sums = {pageChecksum(page.data(), number)};
+    for (std::size_t bit = 0; bit < 8 * (kPageBytes - kReservedBytes); ++bit) {
+      page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+      sums.insert(pageChecksum(page.data(), number));
+      page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+    }
+    EXPECT_EQ(sums.size(), 1 + 8 * (kPageBytes - kReservedBytes)) << "page " << number;
+  }
+}
+
+TEST_F(PageChecksums, NoFlippedBitIsAcceptedWithAnotherContent) {
+  fill(40);
+  project_.reset();
+  const Flips flips = flipBits(folder(), 300, 20261124, 10);
+  EXPECT_EQ(flips.accepted, 0);
+  EXPECT_GT(flips.found, 270) << "pages that nothing uses are few";
+  EXPECT_EQ(flips.not_restored, 0);
+  EXPECT_GT(flips.restored, 25);
+}
+
+TEST_F(PageChecksums, EveryBitOfTheHeaderIsGuarded) {
+  fill(3);
+  project_.reset();
+  const std::string content = *contentOf(folder());
+  const std::string whole = bytesOf(file());
+  for (std::size_t bit = 0; bit < 100 * 8; ++bit) {
+    std::string bytes = whole;
+    bytes[bit / 8] ^= static_cast<char>(1 << bit % 8);
+    writeBytes(file(), bytes);
+    EXPECT_FALSE(Project::open(folder())) << "bit " << bit % 8 << " of byte " << bit / 8;
+  }
+  writeBytes(file(), whole);
+  EXPECT_EQ(*contentOf(folder()), content);
+}
+
+TEST_F(PageChecksums, ATruncatedFileIsRefused) {
+  fill(30);
+  project_.reset();
+  fs::resize_file(file(), fs::file_size(file()) - kPageBytes);
+  EXPECT_FALSE(contentOf(folder()));
+}
+
+TEST_F(PageChecksums, WhatAKilledProcessSavedIsThere) {
+  project_.reset();
+  inAKilledProcess([&] {
+    project_ = std::make_unique<Project>(*Project::open(folder()));
+    fill(30);
+  });
+  ASSERT_GT(fs::file_size(file().string() + "-wal"), 0u) << "nothing was tried";
+  const Result<Project> again = Project::open(folder());
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(again->catalogue().sherdRows({}, {})->size(), 30u);
+  EXPECT_TRUE(again->catalogue().checkIntegrity());
+}
+
+TEST_F(PageChecksums, AnotherSqliteReadsItAndFinishesWhatAKilledProcessLeft) {
+  project_.reset();
+  inAKilledProcess([&] {
+    project_ = std::make_unique<Project>(*Project::open(folder()));
+    fill(30);
+  });
+  EXPECT_EQ(askedOfPlainSqlite(file(), "SELECT count(*) FROM sherd; PRAGMA integrity_check"),
+            "30ok");
+  EXPECT_FALSE(fs::exists(file().string() + "-wal")) << "it was not written into the file";
+  const Result<std::string> content = contentOf(folder());
+  EXPECT_TRUE(content) << content.error().sentence();
+}
+
+TEST_F(PageChecksums, WhatAnotherProgramChangedIsFound) {
+  fill(3);
+  project_.reset();
+  EXPECT_EQ(askedOfPlainSqlite(file(), "UPDATE sherd SET ware = 'other'"), "");
+  const Result<std::string> content = contentOf(folder());
+  ASSERT_FALSE(content);
+  EXPECT_EQ(content.error().code, ErrorCode::Damaged);
+}
+
+TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
+  project_.reset();
+  std::vector<pid_t> writers;
+  for (int writer = 0; writer < 4; ++writer) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      project_ = std::make_unique<Project>(*Project::open(folder()));
+      bool all = true;
+      for (int i = 0; i < 40; ++i) all = catalogue().addSherd({}, anna).has_value() && all;
+      if (writer % 2 == 0) project_.reset();
+      ::_exit(all ? 0 : 1);
+    }
+    writers.push_back(child);
+  }
+  for (const pid_t writer : writers) {
+    int status = 0;
+    ::waitpid(writer, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  const Result<Project> again = Project::open(folder());
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(again->catalogue().sherdRows({}, {})->size(), 160u);
+  const Result<void> whole = again->catalogue().checkIntegrity();
+  EXPECT_TRUE(whole) << whole.error().sentence();
+}
+
+TEST_F(PageChecksums, ACatalogueOfBeforeThemGetsThemAndKeepsItsRows) {
+  fill(20);
+  project_.reset();
+  const std::string content = *contentOf(folder());
+  // As the versions before 8 wrote it: no reserved bytes.
+  const fs::path original = folder_.path() / "original.sqlite";
+  fs::rename(file(), original);
+  for (const Migration& step : migrations().first(kFirstCheckedVersion - 1))
+    ASSERT_EQ(askedOfPlainSqlite(file(), std::string(step.sql).c_str()), "") << step.name;
+  std::string copy = "ATTACH '" + original.string() + "' AS original; PRAGMA user_version = 7;";
+  for (const char* table :
+       {"person", "project", "setting", "vocabulary", "site", "trench", "context", "bag", "sherd",
+        "given_number", "measurement", "sherd_measure", "history", "sherd_term"})
+    copy += std::string("INSERT INTO ") + table + " SELECT * FROM original." + table + ";";
+  copy += "INSERT INTO sherd_text (rowid, words) SELECT rowid, words FROM original.sherd_text";
+  ASSERT_EQ(askedOfPlainSqlite(file(), copy.c_str()), "");
+  ASSERT_EQ(*lookAtHeader(file()), Pages::Plain);
+  const Result<std::string> after = contentOf(folder());
+  ASSERT_TRUE(after) << after.error().sentence();
+  EXPECT_EQ(*after, content);
+  EXPECT_EQ(*lookAtHeader(file()), Pages::Checked);
+  ASSERT_EQ(valueIn(Project::open(folder())).backups().size(), 1u);
+  EXPECT_EQ(*lookAtHeader(valueIn(Project::open(folder())).backups()[0]), Pages::Plain)
+      << "as it was before";
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,74 @@
+#include "store/values.h"
+
+#include <gmock/gmock.h>
+
+#include <clocale>
+
+namespace ostraka::catalogue {
+namespace {
+
+TEST(Values, DaysThatDoNotExistAreRefused) {
+  for (const char* day : {"2026-07-14", "2024-02-29", "2000-02-29", "1999-12-31"})
+    EXPECT_TRUE(checkedDay(day)) << day;
+  for (const char* day : {"14.7.2026", "2026-7-14", "2026-02-29", "1900-02-29", "2026-13-01",
+                          "2026-00-10", "2026-04-31", "2026-07-14T10", "07/14/2026"})
+    EXPECT_FALSE(checkedDay(day)) << day;
+  EXPECT_EQ(*checkedDay("  "), "");
+}
+
+TEST(Values, AncientDatesAreWrittenInEdtf) {
+  for (const char* date :
+       {"-0599/-0549~", "-1149/-0799~", "-0599", "0350", "1999?", "19XX", "../-0300", "0350/..",
+        "0350/", "/0350", "2026-07", "2026-21", "2026-07-14%", "-0500-XX", "Y-12000", "2026-XX-05"})
+    EXPECT_TRUE(checkedEdtf(date)) << date;
+  for (const char* date : {"600 BC", "-599", "..", "/", "../..", "0350//0400", "X999", "19X9",
+                           "2026-13", "2026-02-30", "2026-7", "Y1999", "0350-", "~"})
+    EXPECT_FALSE(checkedEdtf(date)) << date;
+}
+
+TEST(Values, MunsellColoursHaveHueValueAndChroma) {
+  for (const char* colour : {"10YR 3/1", "7.5YR 5.5/4", "N 4/", "N 4/0", "5PB 3/2", "2.5Y 8/2"})
+    EXPECT_TRUE(checkedMunsell(colour)) << colour;
+  for (const char* colour :
+       {"10YR3/1", "10YR", "YR 3/1", "10XX 3/1", "brown", "10YR 3", "10YR /1", "N4/ "})
+    EXPECT_FALSE(checkedMunsell(colour)) << colour;
+  EXPECT_EQ(*checkedMunsell("2.5yr 5/6"), "2.5YR 5/6");
+}
+
+TEST(Values, NumbersAreReadWithPointOrCommaInEveryLocale) {
+  EXPECT_DOUBLE_EQ(*parsedNumber("12.5"), 12.5);
+  EXPECT_DOUBLE_EQ(*parsedNumber(" 12,5 "), 12.5);
+  EXPECT_DOUBLE_EQ(*parsedNumber("+3"), 3);
+  EXPECT_DOUBLE_EQ(*parsedNumber("1e3"), 1000);
+  for (const char* text : {"1 234,5", "1\u00A0234.5", "1\u202F234,5", "1\u2019234,5"})
+    EXPECT_DOUBLE_EQ(*parsedNumber(text), 1234.5) << text;
+  EXPECT_DOUBLE_EQ(*parsedNumber("1 234 567"), 1234567);
+  for (const char* text : {"12 34", "1 2345", "1 23,5", "1  234", "1 234 mm"})
+    EXPECT_FALSE(parsedNumber(text)) << text;
+  for (const char* text : {"", "12.5 mm", "1.234,5", "1,2,3", "nan", "inf", "0x10", "1e999", "--1"})
+    EXPECT_FALSE(parsedNumber(text)) << text;
+}
+
+TEST(Values, ANumbersTextReadsBackAsTheSameNumber) {
+  for (const double value : {0.1, 61.42, 1.0 / 3, 500.0, 1e-7, 123456789.125})
+    EXPECT_EQ(*parsedNumber(numberText(value)), value) << numberText(value);
+  EXPECT_EQ(numberText(500), "500");
+}
+
+TEST(Values, TermsAreSplitAtSemicolonsWithoutDoubles) {
+  EXPECT_THAT(splitTerms(" rim;neck ; rim;; "), testing::ElementsAre("rim", "neck"));
+  EXPECT_EQ(joinTerms({"rim", "neck"}), "rim; neck");
+  EXPECT_THAT(termsFromJson(termsJson({"a\"b", "é"})), testing::ElementsAre("a\"b", "é"));
+  EXPECT_TRUE(termsFromJson("{not json").empty());
+}
+
+TEST(Values, PathsThatLeaveTheProjectAreRefused) {
+  EXPECT_EQ(*checkedPath("batches/B0001/front/cam0.jpg"), "batches/B0001/front/cam0.jpg");
+  EXPECT_EQ(*checkedPath("a/E\xCC\x81.ply"), "a/É.ply");
+  for (const char* path : {"", "/etc/passwd", "../x", "a/../b", "a//b", "./a", "a/.", "C:/x",
+                           "a\\b", "a\nb", "a/\xFF"})
+    EXPECT_FALSE(checkedPath(path)) << path;
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

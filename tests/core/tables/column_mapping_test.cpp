@@ -1,0 +1,149 @@
+#include "tables/column_mapping.h"
+
+#include <gmock/gmock.h>
+
+#include "tables/import_table.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Columns : public SmallProject {
+ protected:
+  Result<TableMapping> map(const std::string& text, const std::vector<ColumnChoice>& chosen = {}) {
+    return mapColumns(catalogue(), *parseCsv(text, "t.csv"), chosen, "t.csv");
+  }
+  std::vector<std::string> fieldsOf(const std::string& text) {
+    std::vector<std::string> fields;
+    const Result<TableMapping> mapping = map(text);
+    for (const ColumnChoice& choice : mapping->columns)
+      fields.push_back(choice.field + (choice.unit.empty() ? "" : ":" + choice.unit));
+    return fields;
+  }
+  ImportReport import(const std::string& text, std::vector<ColumnChoice> chosen = {}) {
+    ImportOptions options;
+    options.mode = ImportMode::Enter;
+    options.columns = std::move(chosen);
+    const auto report = importTable(catalogue(), text, "t.csv", options, anna, quiet, {});
+    EXPECT_TRUE(report) << (report ? "" : report.error().sentence());
+    return report ? *report : ImportReport();
+  }
+  std::string valueIn(const char* number, const char* field) {
+    return textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), field);
+  }
+  QuietProgress quiet;
+};
+
+TEST_F(Columns, OfAGermanTableAreProposedByTheirNames) {
+  EXPECT_THAT(fieldsOf("Fundnummer;Fundort;Schnitt;Befund;Gewicht (kg);Dicke [cm];Schublade\n"
+                       "X-1;ARM1;T3;0012;0,0235;0,62;7\n"),
+              ElementsAre("number", "site", "trench", "context", "weight_g:kg",
+                          "thickness_mean_mm:cm", "extra.Schublade"));
+}
+
+TEST_F(Columns, WithoutAUnitAreTakenForTheOneThatTheirValuesFit) {
+  const TableMapping mapping =
+      *map("number;Gewicht;Dicke;Länge\nX-1;0,02;6,1;5,5\nX-2;0,4;7;7,2\n");
+  EXPECT_EQ(mapping.columns[1].unit, "kg");
+  EXPECT_EQ(mapping.columns[2].unit, "mm");
+  EXPECT_EQ(mapping.columns[3].unit, "cm");
+  for (const std::size_t i : {1u, 2u, 3u}) EXPECT_TRUE(mapping.columns[i].unit_guessed);
+  EXPECT_THAT(mapping.columns[1].samples, ElementsAre("0,02", "0,4"));
+  EXPECT_FALSE(map("number;Gewicht (g)\nX-1;0,4\n")->columns[1].unit_guessed);
+}
+
+TEST_F(Columns, OfNoTwoMeanOneField) {
+  EXPECT_THAT(fieldsOf("number;weight;Gewicht\nX-1;7;8\n"),
+              ElementsAre("number", "weight_g:g", "extra.Gewicht"));
+  const auto twice = map("number;a;b\nX;1;2\n", {{"a", "weight_g"}, {"b", "weight_g"}});
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().what,
+            "The columns 'a' and 'b' are both for the field weight_g; leave one of them out.");
+  EXPECT_FALSE(map("number\nX\n", {{"b", "weight_g"}})) << "no such column";
+  EXPECT_FALSE(map("number;a\nX;1\n", {{"a", "weight_g", "mm"}})) << "no such unit";
+  EXPECT_FALSE(map("number;a\nX;1\n", {{"a", "beauty"}})) << "no such field";
+}
+
+TEST_F(Columns, AreEnteredInTheFieldsOwnUnitsExactly) {
+  const ImportReport report = import(
+      "Nummer;Fundort;Schnitt;Befund;Gewicht (kg);Dicke (cm);Schublade;egal\n"
+      "X-1;ARM1;T3;0012;1,5;1,2;7;x\n",
+      {{"egal", ""}});
+  EXPECT_EQ(report.fresh, 1);
+  EXPECT_EQ(valueIn("X-1", "weight_g"), "1500");
+  EXPECT_EQ(valueIn("X-1", "thickness_mean_mm"), "12");
+  EXPECT_EQ(valueIn("X-1", "extra.Schublade"), "7");
+  EXPECT_EQ(catalogue().sherd(*catalogue().sherdByNumber("X-1"))->extra_json,
+            "{\"Schublade\":\"7\"}")
+      << "what is left out is nowhere";
+}
+
+TEST_F(Columns, AreChosenForTheNextTableWithTheSameOnes) {
+  import("Nummer;Fundort;Schnitt;Befund;Zahl\nX-1;ARM1;T3;0012;0,5\n",
+         {{ "Zahl",
+            "weight_g",
+            "kg" }});
+  import("Zahl;Nummer;Fundort;Schnitt;Befund\n0,25;X-2;ARM1;T3;0012\n");
+  EXPECT_EQ(valueIn("X-2", "weight_g"), "250");
+  const TableMapping again = *map("Zahl;Nummer;Fundort;Schnitt;Befund\n1;X-3;ARM1;T3;0012\n");
+  EXPECT_EQ(again.columns[0].by, ChosenBy::Earlier);
+  EXPECT_EQ(map("Zahl;Nummer\n1;X-3\n")->columns[0].field, "extra.Zahl") << "another table";
+}
+
+TEST_F(Columns, ARefusalNamesThemAsTheTableDoes) {
+  const ImportReport report =
+      import("Nummer;Fundort;Schnitt;Befund;Dicke (cm)\nX-1;ARM1;T3;0012;dick\n");
+  ASSERT_EQ(report.refusals.size(), 1u);
+  EXPECT_EQ(report.refusals[0].column, "Dicke (cm)");
+  EXPECT_EQ(report.refusals[0].value, "dick");
+}
+
+TEST(Units, AreConvertedWithoutRounding) {
+  EXPECT_EQ(inOwnUnit("1.5", "kg", "weight_g"), "1500");
+  EXPECT_EQ(inOwnUnit("1,2", "cm", "length_mm"), "12");
+  EXPECT_EQ(inOwnUnit("1.1", "kg", "weight_g"), "1100");
+  EXPECT_EQ(inOwnUnit("0.0057", "kg", "weight_g"), "5.7");
+  EXPECT_EQ(inOwnUnit("5.7 cm", "mm", "length_mm"), "57") << "what the value says comes first";
+  EXPECT_EQ(inOwnUnit("23 g", "g", "weight_g"), "23");
+  EXPECT_EQ(inOwnUnit("1,2 ± 0,1", "cm", "length_mm"), "12 ± 1");
+  EXPECT_EQ(inOwnUnit("12,5", "mm", "length_mm"), "12,5");
+  EXPECT_EQ(inOwnUnit("thin", "cm", "length_mm"), "thin");
+  EXPECT_EQ(inOwnUnit("23 kg", "mm", "length_mm"), "23 kg") << "refused as it is";
+}
+
+TEST(ColumnChoices, AreReadAsTheyAreTyped) {
+  const ColumnChoice kg = *parseColumnChoice("Gewicht=weight:kg");
+  EXPECT_EQ(kg.column + " " + kg.field + " " + kg.unit, "Gewicht weight_g kg");
+  EXPECT_EQ(parseColumnChoice("a=b=note")->column, "a=b");
+  EXPECT_EQ(parseColumnChoice("Kiste=extra.box")->field, "extra.box");
+  EXPECT_EQ(parseColumnChoice("Kiste=-")->field, "");
+  for (const char* wrong : {"Gewicht", "=weight", "Gewicht=beauty", "Gewicht=weight:stone"})
+    EXPECT_FALSE(parseColumnChoice(wrong)) << wrong;
+}
+
+TEST_F(Columns, OfMeasuresThatTheCatalogueAsksAboutHoldTheirRowUntilItIsConfirmed) {
+  const SherdRow sherd = numbered(context12);
+  ASSERT_TRUE(catalogue().measure({sherd, "length", {}, 72.39, {}, "program", {}, "m"}, {}));
+  const std::string table = "number,length_mm,note\n" + valueOf(sherd, "number") + ",7,slip\n";
+  ImportReport report = import(table);
+  EXPECT_EQ(report.asked, 1);
+  EXPECT_EQ(report.refused + report.changed, 0);
+  ASSERT_EQ(report.questions.size(), 1u);
+  EXPECT_EQ(report.questions[0].line, 2);
+  EXPECT_THAT(report.questions[0].reason, HasSubstr("about a tenth of the computed value"));
+  EXPECT_EQ(valueOf(sherd, "note"), "") << "the whole row waits";
+  ImportOptions options;
+  options.mode = ImportMode::Enter;
+  options.confirmed_lines = {2};
+  report = *importTable(catalogue(), table, "t.csv", options, anna, quiet, {});
+  EXPECT_EQ(report.changed, 1);
+  EXPECT_EQ(valueOf(sherd, "length_mm"), "7");
+  EXPECT_EQ(catalogue().sherd(sherd)->replaced.at("length"), 72.39);
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

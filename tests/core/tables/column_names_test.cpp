@@ -1,0 +1,55 @@
+#include "tables/column_names.h"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+#include <utility>
+
+namespace ostraka::exchange {
+namespace {
+
+TEST(ColumnNames, AreKnownInSevenLanguagesWhateverTheirCapitalsAccentsAndMarks) {
+  for (const auto& [column, field] : {std::pair("weight", "weight_g"),
+                                      std::pair("Gewicht", "weight_g"),
+                                      std::pair("POIDS", "weight_g"),
+                                      std::pair("peso", "weight_g"),
+                                      std::pair("Βάρος", "weight_g"),
+                                      std::pair("ağırlık", "weight_g"),
+                                      std::pair("AĞIRLIK", "weight_g"),
+                                      std::pair("քաշ", "weight_g"),
+                                      std::pair("thickness", "thickness_mean_mm"),
+                                      std::pair("Dicke", "thickness_mean_mm"),
+                                      std::pair("épaisseur", "thickness_mean_mm"),
+                                      std::pair("Epaisseur", "thickness_mean_mm"),
+                                      std::pair("grosor", "thickness_mean_mm"),
+                                      std::pair("πάχος", "thickness_mean_mm"),
+                                      std::pair("ΠΑΧΟΣ", "thickness_mean_mm"),
+                                      std::pair("kalınlık", "thickness_mean_mm"),
+                                      std::pair("հաստություն", "thickness_mean_mm"),
+                                      std::pair("LAENGE", "length_mm"),
+                                      std::pair("Länge", "length_mm"),
+                                      std::pair("max. Länge", "length_mm"),
+                                      std::pair("Fund-Nr.", "number"),
+                                      std::pair("Befund", "context"),
+                                      std::pair("drawer", ""),
+                                      std::pair("", "")})
+    EXPECT_EQ(fieldOfColumn(column, false), field) << column;
+  EXPECT_EQ(fieldOfColumn("Anzahl", true), "count_written");
+  EXPECT_EQ(fieldOfColumn("Anzahl", false), "");
+}
+
+TEST(ColumnNames, SayTheirUnitInBracketsAndBehindTheirName) {
+  for (const auto& [column, name, unit] :
+       {std::tuple("Gewicht (kg)", "Gewicht", "kg"), std::tuple("Length [cm]", "Length", "cm"),
+        std::tuple("weight_g", "weight", "g"), std::tuple("Länge, mm", "Länge", "mm"),
+        std::tuple("Breite in cm", "Breite", "cm"), std::tuple("βάρος (γρ.)", "βάρος", "g"),
+        std::tuple("rim, %", "rim", "%"), std::tuple("Munsell", "Munsell", ""),
+        std::tuple("kg", "kg", ""), std::tuple("munsell core", "munsell core", "")}) {
+    const NameAndUnit parts = nameAndUnit(column);
+    EXPECT_EQ(parts.name, name);
+    EXPECT_EQ(parts.unit, unit) << column;
+  }
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

@@ -1,0 +1,139 @@
+#include "tables/csv.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+namespace ostraka::exchange {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::vector<std::string>> rowsOf(const std::string& text) {
+  const Result<CsvTable> table = parseCsv(text, "t.csv");
+  EXPECT_TRUE(table) << (table ? "" : table.error().sentence());
+  std::vector<std::vector<std::string>> rows;
+  if (table)
+    for (const CsvRow& row : table->rows) rows.push_back(row.values);
+  return rows;
+}
+
+TEST(Csv, QuotesLineEndsAndSeparatorsInsideValuesAreText) {
+  EXPECT_THAT(rowsOf("a,b\r\n\"x,\"\"y\"\"\",\"two\nlines\"\r\n1,2\r\n"),
+              ElementsAre(ElementsAre("x,\"y\"", "two\nlines"), ElementsAre("1", "2")));
+}
+
+TEST(Csv, TheSeparatorIsTakenFromTheHeader) {
+  EXPECT_EQ(parseCsv("a;b,c\n", "t")->separator, ',') << "the first of equals";
+  EXPECT_EQ(parseCsv("a;b;c,d\n", "t")->separator, ';');
+  EXPECT_EQ(parseCsv("a\tb\n", "t")->separator, '\t');
+  EXPECT_THAT(rowsOf("a;b\n1,5;2\n"), ElementsAre(ElementsAre("1,5", "2")));
+}
+
+TEST(Csv, EveryKindOfLineEndWillDoAndTheLastMayLackIt) {
+  EXPECT_EQ(rowsOf("a,b\n1,2\n3,4").size(), 2u);
+  EXPECT_EQ(rowsOf("a,b\r1,2\r3,4\r").size(), 2u);
+  EXPECT_EQ(rowsOf("a,b\r\n\r\n1,2\r\n\r\n").size(), 1u) << "empty lines are left out";
+}
+
+TEST(Csv, LinesAreCountedAsAnEditorCountsThem) {
+  const Result<CsvTable> table = parseCsv("a,b\n\"x\ny\",1\n\n2,3\n", "t.csv");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->rows[0].line, 2);
+  EXPECT_EQ(table->rows[1].line, 5);
+}
+
+TEST(Csv, Utf8WithOrWithoutMarkAndUtf16AreRead) {
+  EXPECT_THAT(rowsOf("\xEF\xBB\xBF"
+                     "a\né\n"),
+              ElementsAre(ElementsAre("é")));
+  EXPECT_THAT(rowsOf("\xEF\xBB\xBF\xEF\xBB\xBF"
+                     "a\né\n"),
+              ElementsAre(ElementsAre("é")))
+      << "a second mark is no part of the first column's name";
+  EXPECT_THAT(rowsOf(std::string("\xFF\xFE"
+                                 "a\0\n\0\xE9\0\n\0",
+                                 10)),
+              ElementsAre(ElementsAre("é")));
+  EXPECT_THAT(rowsOf(std::string("\xFE\xFF\0a\0\n\xD8\x3C\xDF\xFA\0\n", 12)),
+              ElementsAre(ElementsAre("\xF0\x9F\x8F\xBA")))
+      << "an amphora, big-endian";
+}
+
+TEST(Csv, WhatIsNoTableIsRefusedWithItsLine) {
+  const auto why = [](const std::string& text) {
+    const Result<CsvTable> table = parseCsv(text, "t.csv");
+    return table ? std::string("accepted") : table.error().sentence();
+  };
+  EXPECT_NE(why("").find("empty"), std::string::npos);
+  EXPECT_NE(why("a,b\n1,2\n\"open,3\n").find("Line 3 has an unclosed quotation mark"),
+            std::string::npos);
+  EXPECT_NE(why("a\n\"x\"y\n").find("Line 2 has characters after"), std::string::npos);
+  EXPECT_NE(why("a\nok\nSch\xF6n\n").find("Line 3 is not in UTF-8"), std::string::npos);
+  EXPECT_NE(why(std::string("a\nb\0c\n", 6)).find("binary data"), std::string::npos);
+  EXPECT_NE(why("a\n" + std::string((1 << 20) + 1, 'x')).find("Line 2 has a value longer"),
+            std::string::npos);
+}
+
+TEST(Csv, FormulasAreDisarmedAndComeBack) {
+  EXPECT_EQ(guarded("=1+1"), "'=1+1");
+  EXPECT_EQ(guarded("'=1+1"), "''=1+1");
+  EXPECT_EQ(guarded("@cmd"), "'@cmd");
+  EXPECT_EQ(guarded("'tis"), "'tis") << "a harmless quote stays alone";
+  EXPECT_EQ(unguarded("'-5"), "-5");
+  EXPECT_EQ(unguarded("-5"), "-5") << "typed by a person in a spreadsheet";
+  EXPECT_EQ(unguarded("''"), "''");
+}
+
+TEST(Csv, ANumberWithACommaBeforeThreeDigitsCanBeReadInTwoWays) {
+  EXPECT_EQ(readsOneWay("1.250", '.').error().sentence(),
+            "'1.250' can be read as 1250 or as 1,250; write one of the two.");
+  EXPECT_TRUE(readsOneWay("1.250")) << "the comma stands between thousands";
+  EXPECT_TRUE(readsOneWay("1250,125", '.'));
+  EXPECT_EQ(readsOneWay("1,250").error().sentence(),
+            "'1,250' can be read as 1250 or as 1.250; write one of the two.");
+  for (const char* two : {"+12,500", "100,000", "1,250 ± 3", "2 ± 1,250", "12,5 +- 1,250"})
+    EXPECT_FALSE(readsOneWay(two)) << two;
+  for (const char* one : {"", ",", ",250", "1,25", "12,5", "0,125", "1250,125", "1 250,125",
+                          "1.250", "1,250,000", "1,2505", "wide, 1"})
+    EXPECT_TRUE(readsOneWay(one)) << one;
+}
+
+TEST(Csv, AMarkInsideTheFirstQuotationIsNoPartOfTheName) {
+  const Result<CsvTable> table = parseCsv("\"\xEF\xBB\xBFnumber\",part\r\n1,rim\r\n", "t");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->columns, (std::vector<std::string>{"number", "part"}));
+}
+
+TEST(Csv, AColumnNamedWithSemicolonsStaysOne) {
+  const std::vector<std::string> columns = {"ware; as Hayes; 1972", "no\tte", "part"};
+  const Result<CsvTable> table = parseCsv(csvLine(columns) + csvLine({"a", "b", "c"}), "t");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->columns, columns);
+  EXPECT_EQ(table->rows[0].values, (std::vector<std::string>{"a", "b", "c"}));
+}
+
+TEST(Csv, AnyTextSurvivesWritingAndReading) {
+  std::mt19937 random(5);
+  const std::string letters = "=+-@'\",;\r\n\t aé1";
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text;
+    for (std::size_t n = random() % 8; n > 0; --n) {
+      const char c = letters[random() % letters.size()];
+      if (static_cast<unsigned char>(c) < 0x80) text += c;
+    }
+    EXPECT_EQ(unguarded(guarded(text)), text);
+    const std::string guard = guarded(text);
+    if (!guard.empty()) {
+      EXPECT_EQ(std::string("=+-@\t\r\n").find(guard[0]), std::string::npos) << text;
+    }
+    const std::string file = csvLine({"a", "b"}) + csvLine({guard, "x"});
+    const Result<CsvTable> table = parseCsv(file, "t");
+    ASSERT_TRUE(table) << text;
+    ASSERT_EQ(table->rows.size(), 1u) << text;
+    EXPECT_EQ(table->rows[0].values[0], guard);
+  }
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

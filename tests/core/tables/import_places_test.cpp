@@ -1,0 +1,56 @@
+#include "tables/import_places.h"
+
+#include <gtest/gtest.h>
+
+namespace ostraka::exchange {
+namespace {
+
+TEST(ImportPlaces, AreThoseOfPhotographsScansModelsAndDrawings) {
+  for (const char* path :
+       {"batches/B0001/front/cam0_pos00.jpg", "batches/B0001/back/cam1_pos03.TIF",
+        "batches/B0001/plate.json", "batches/B0001/RIG.json",
+        "batches/B0001/masks/front/cam0_pos00.png", "results/B0001/pairs.json",
+        "results/B0001/scans/f001.ply", "models/B0001/0123456789abcdef/model.glb"})
+    EXPECT_TRUE(importPlace(path, "B0001")) << path;
+  for (const char* path : {"imported/out/models/A-1.ply", "imported/out/images/A-1.png",
+                           "imported/out/drawings/A-1.svg", "imported/out/drawings/A-1.pdf"})
+    EXPECT_TRUE(importPlace(path, {})) << path;
+}
+
+TEST(ImportPlaces, AreNoneThatSteerTheProgramOrBelongToOthers) {
+  for (const char* path : {"backups/catalogue-99990101-000000-000.sqlite",
+                           "catalogue.sqlite",
+                           "catalogue.sqlite-journal",
+                           "batches/B0001/catalogue.sqlite",
+                           "results/B0001/decisions.json",
+                           "results/B0001/mask_strokes.json",
+                           "results/B0001/work/scans_front/f001.ply",
+                           "results/B0001/work/stage.json",
+                           "results/B0001/report.html",
+                           "results/B0001/lock",
+                           "results/B0001/log.txt",
+                           "batches/B0001/manifest.json",
+                           "batches/B0001/.hidden.jpg",
+                           "batches/B0001/.git/x.jpg",
+                           "batches/B0001/x.partial",
+                           "batches/B0001/x.desktop",
+                           "batches/B0001",
+                           "batches/x.jpg",
+                           "batches/B0002/front/x.jpg",
+                           "results/B0002/pairs.json",
+                           "models/B0002/a/model.ply",
+                           "imported/out/x.ply",
+                           "file-checks.txt",
+                           "rigs/a/x.jpg",
+                           "batches/B0001/../B0002/x.jpg",
+                           "/batches/B0001/x.jpg",
+                           "batches//B0001/x.jpg"})
+    EXPECT_FALSE(importPlace(path, "B0001")) << path;
+  for (const char* path :
+       {"batches/B0001/front/x.jpg", "models/B0001/a/model.ply", "imported/out/x.sh",
+        "imported/x.ply", "imported/out/.x.ply", "imported/../models/B0001/model.ply"})
+    EXPECT_FALSE(importPlace(path, {})) << path;
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

@@ -1,0 +1,480 @@
+#include "tables/import_table.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <utility>
+
+#include "exchange/export_folder.h"
+#include "tables/csv.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+
+class Import : public SmallProject {
+ protected:
+  ImportReport import(const std::string& text, ImportMode mode = ImportMode::Enter,
+                      UnknownPlaces places = UnknownPlaces::Refuse,
+                      const std::string& file = "t.csv") {
+    const Result<ImportReport> report =
+        importTable(catalogue(), text, file, {mode, places}, anna, quiet, {});
+    EXPECT_TRUE(report) << (report ? "" : report.error().sentence());
+    return report ? *report : ImportReport{};
+  }
+  std::string why(const std::string& text) {
+    const ImportReport report = import(text);
+    return report.refusals.empty()
+               ? "accepted"
+               : std::to_string(report.refusals[0].line) + " " + report.refusals[0].column + " " +
+                     report.refusals[0].value + ": " + report.refusals[0].reason;
+  }
+  QuietProgress quiet;
+};
+
+constexpr const char* kTwo =
+    "number,site,trench,context,bag,part,weight_g,note\r\n"
+    "ARM1-T3-0012-0001,ARM1,T3,0012,4,rim; neck,\"23,4\",\"'=1+1\"\r\n"
+    "ARM1-T3-0013-0001,arm1,t3,0013,,body,,\r\n";
+
+TEST_F(Import, OfSherdsMakesThemWithAllTheirValues) {
+  const ImportReport report = import(kTwo);
+  EXPECT_EQ(report.fresh, 2);
+  EXPECT_EQ(report.refused, 0);
+  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(sherd.bag, bag4);
+  EXPECT_EQ(textOf(sherd, "part"), "rim; neck");
+  EXPECT_EQ(sherd.measures.at("weight"), 23.4);
+  EXPECT_EQ(sherd.note, "=1+1") << "the guard against formulas is taken off";
+  EXPECT_EQ(catalogue().history(sherd.row)->front().source, "test");
+}
+
+TEST_F(Import, TwiceGivesOnce) {
+  import(kTwo);
+  const std::int64_t history = catalogue().historyLength();
+  const ImportReport again = import(kTwo);
+  EXPECT_EQ(again.fresh, 0);
+  EXPECT_EQ(again.same, 2);
+  EXPECT_EQ(again.changed, 0);
+  EXPECT_EQ(catalogue().historyLength(), history);
+}
+
+TEST_F(Import, APreviewCountsTheSameAndChangesNothing) {
+  const std::int64_t history = catalogue().historyLength();
+  const ImportReport preview = import(kTwo, ImportMode::Preview);
+  EXPECT_EQ(preview.fresh, 2);
+  EXPECT_EQ(catalogue().historyLength(), history);
+  EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+}
+
+TEST_F(Import, BlankKeepsAndClearDeletes) {
+  import(kTwo);
+  const ImportReport report =
+      import("number,part,note,weight_g\nARM1-T3-0012-0001,,<clear>,<clear>\n");
+  EXPECT_EQ(report.changed, 1);
+  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(textOf(sherd, "part"), "rim; neck");
+  EXPECT_EQ(sherd.note, "");
+  EXPECT_TRUE(sherd.measures.empty());
+}
+
+TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
+  import(kTwo);
+  const std::string head = "number,site,trench,context,part,length_mm,munsell_out,date_edtf,uuid\n";
+  const auto row = [&](const std::string& line) { return why(head + line + "\n"); };
+  EXPECT_NE(row("X-1,ARM1,T3,0012,wing,,,,").find("2 part wing: 'wing' is not a term"),
+            std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0099,,,,,").find("2 context 0099: There is no context"),
+            std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,,,,,,").find("needs its context"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,abc,,,").find("2 length_mm abc"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,0,,,").find("greater than 0"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,1001,,,").find("1000 mm"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,brown,,").find("2 munsell_out brown"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,600 BC,").find("2 date_edtf 600 BC"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,,nonsense").find("2 uuid nonsense: Not a uuid"),
+            std::string::npos);
+  EXPECT_NE(row("ARM1-T3-0012-0001,,,,,,,,019f5ff6-39c0-7b3a-9c55-2f7e8d104ab6")
+                .find("belong to different sherds"),
+            std::string::npos);
+  EXPECT_NE(row(",ARM1,T3,0012,,,,,").find("neither a number nor a uuid"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, but the header has 9"),
+            std::string::npos);
+  EXPECT_NE(why(head + "Y-1,ARM1,T3,0012,,,,,\ny-1,ARM1,T3,0012,,,,,\n")
+                .find("3 number y-1: This appears in two rows"),
+            std::string::npos);
+  EXPECT_FALSE(*catalogue().sherdByNumber("X-1")) << "a refused row leaves nothing";
+  EXPECT_TRUE(*catalogue().sherdByNumber("Y-1")) << "the other rows enter";
+}
+
+TEST_F(Import, RefusalsAreATableThemselves) {
+  const ImportReport report = import("number,context\n=cmd,0012\n");
+  const Result<CsvTable> table = parseCsv(refusalsCsv(report), "r.csv");
+  ASSERT_TRUE(table);
+  EXPECT_THAT(table->columns, testing::ElementsAre("line", "column", "value", "reason"));
+  EXPECT_EQ(table->rows[0].values[0], "2");
+}
+
+TEST_F(Import, UnknownPlacesAreMadeWhenAskedFor) {
+  const std::string table = "number,site,trench,context,bag\nNEW-1,TB,A,1,7\nNEW-2,TB,A,1,7\n";
+  EXPECT_EQ(import(table).refused, 2);
+  const ImportReport report = import(table, ImportMode::Enter, UnknownPlaces::Make);
+  EXPECT_EQ(report.fresh, 2);
+  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("NEW-2"));
+  EXPECT_EQ(sherd.site + sherd.trench + sherd.context_number + sherd.bag_number, "TBA17");
+  EXPECT_EQ(catalogue().sites()->size(), 2u);
+}
+
+TEST_F(Import, UnknownColumnsBecomeFieldsOfOnesOwnWithAWarning) {
+  const ImportReport report = import("number,site,trench,context,drawer\nX-1,ARM1,T3,0012,7\n");
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("'drawer'"), std::string::npos);
+  EXPECT_EQ(textOf(*catalogue().sherd(*catalogue().sherdByNumber("X-1")), "extra.drawer"), "7");
+}
+
+TEST_F(Import, OfContextsMakesAndChangesThem) {
+  const std::string table =
+      "site;trench;context;kind;excavated_on;closed;bag;weight_g\n"
+      "ARM1;T3;0012;layer;2026-07-14;yes;;\n"
+      "ARM1;T4;0001;cut;;no;1;12,5\n"
+      "ARM1;T3;0013;hole;;;;\n"
+      "ARM1;T3;0013;;14.7.2026;;;\n";
+  const ImportReport report = import(table);
+  EXPECT_EQ(report.fresh, 1);
+  EXPECT_EQ(report.changed, 1);
+  EXPECT_EQ(report.refused, 2);
+  EXPECT_EQ(report.refusals[0].line, 4);
+  EXPECT_NE(report.refusals[1].reason.find("2026-07-14"), std::string::npos);
+  const ContextRecord c = *catalogue().context(context12);
+  EXPECT_EQ(c.kind, "layer");
+  EXPECT_TRUE(c.closed);
+  EXPECT_EQ(catalogue().bags(*catalogue().contextByPlace("ARM1", "T4", "0001"))->front().weight_g,
+            12.5);
+  const ImportReport again = import(table);
+  EXPECT_EQ(again.same, 2);
+  EXPECT_EQ(again.fresh + again.changed, 0);
+}
+
+TEST_F(Import, OfContextsNamesTheSitesThatItMakesAndTheKindsThatThereAre) {
+  const ImportReport report =
+      import("site,trench,context,kind\nNOPE,T1,0010,layer\nNOPE,T1,0011,pit\nNIX,T1,0012,hole\n");
+  EXPECT_EQ(report.fresh, 1);
+  ASSERT_EQ(report.refusals.size(), 2u);
+  EXPECT_EQ(
+      report.refusals[0].reason,
+      "'pit' is not a kind of context; use layer, cut, fill, structure, surface or unstratified.");
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_EQ(report.warnings[0], "New sites and trenches: NOPE, NOPE T1; check for typos.");
+}
+
+TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
+  const ImportReport report =
+      import("site;trench;context;description;Öffner\nARM1;T3;0012;dark fill;LT\n");
+  EXPECT_EQ(report.warnings.size(), 2u);
+  const auto own = [&](ContextRow row) { return catalogue().context(row)->extra_json; };
+  EXPECT_EQ(own(context12), "{\"description\":\"dark fill\",\"Öffner\":\"LT\"}");
+  EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;\n").same, 1);
+  EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;<clear>\n").changed, 1);
+  EXPECT_EQ(own(context12), "{\"Öffner\":\"LT\"}");
+}
+
+TEST_F(Import, ATableOfSomethingElseIsRefusedWhole) {
+  for (const char* text : {"a,b\n1,2\n", "number,number\n1,2\n", "number,,x\n1,2,3\n", ""})
+    EXPECT_FALSE(importTable(catalogue(), text, "t.csv", {}, anna, quiet, {})) << text;
+}
+
+TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
+  import(kTwo);
+  ASSERT_TRUE(set(*catalogue().sherdByNumber("ARM1-T3-0013-0001"), "joins", "ARM1-T3-0012-0001"));
+  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter{}, {});
+  for (const char* locale : {"C", "de_DE.UTF-8", "pl_PL.UTF-8", "pt_BR.UTF-8"}) {
+    std::setlocale(LC_ALL, locale);
+    const Result<std::string> text = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("23.4"), std::string::npos);
+    const ImportReport report = import(*text);
+    EXPECT_EQ(report.same, 2);
+    EXPECT_TRUE(report.warnings.empty());
+  }
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
+  import(kTwo);
+  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  for (const auto& [kind, value] :
+       {std::pair("length", 32.833193793898516), std::pair("area", 15201.000499)}) {
+    Measurement m;  // the program's
+    m.sherd = rows[0];
+    m.kind = kind;
+    m.value = value;
+    ASSERT_TRUE(catalogue().measure(m, {}));
+  }
+  ASSERT_TRUE(set(rows[0], "width_mm", "21.0625"));
+  const Result<std::string> text = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+  ASSERT_TRUE(text) << text.error().sentence();
+  EXPECT_THAT(*text, testing::HasSubstr(",32.833,21.063,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",15201,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",measured_by_hand,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",\"weight_g; width_mm\","));
+  std::string with_commas = *text;  // as a French spreadsheet saves it
+  with_commas.replace(with_commas.find(",32.833,"), 8, ",\"32,833\",");
+  for (const std::string& table : {*text, with_commas}) {
+    const ImportReport report = import(table);
+    EXPECT_EQ(report.same, 2);
+    EXPECT_EQ(report.changed, 0);
+    EXPECT_TRUE(report.warnings.empty());
+  }
+  EXPECT_DOUBLE_EQ(catalogue().sherd(rows[0])->measures.at("length"), 32.833193793898516);
+  const auto by_hand = catalogue().measuredByHand(rows);
+  ASSERT_TRUE(by_hand);
+  EXPECT_THAT(*by_hand, testing::UnorderedElementsAre(testing::Field(&Measurement::kind, "weight"),
+                                                      testing::Field(&Measurement::kind, "width")));
+  std::string other = *text;  // by a person, who measured it again
+  other.replace(other.find(",32.833,"), 8, ",32.834,");
+  EXPECT_EQ(import(other).asked, 1) << "the computed value does not give way unasked";
+  ImportOptions confirmed;
+  confirmed.mode = ImportMode::Enter;
+  confirmed.asked_rows = AskedRows::Enter;
+  EXPECT_EQ(importTable(catalogue(), other, "t.csv", confirmed, anna, quiet, {})->changed, 1);
+  EXPECT_EQ(catalogue().measuredByHand(rows)->size(), 3u);
+}
+
+TEST_F(Import, OfATableOfBeforeAComputationLeavesTheProgramsMeasures) {
+  import(kTwo);
+  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  Measurement m;
+  m.sherd = rows[0];
+  m.kind = "length";
+  m.value = 60.1;
+  m.model_sha256 = "first";
+  ASSERT_TRUE(catalogue().measure(m, {}));
+  const Result<std::string> before = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+  ASSERT_TRUE(before);
+  m.value = 60.4;
+  m.model_sha256 = "second";
+  ASSERT_TRUE(catalogue().measure(m, {}));
+  EXPECT_EQ(import(*before).same, 2);
+  EXPECT_DOUBLE_EQ(catalogue().sherd(rows[0])->measures.at("length"), 60.4);
+  EXPECT_EQ(catalogue().measuredByHand(rows)->size(), 1u) << "its weight alone";
+}
+
+class Joins : public Import {
+ protected:
+  std::string of(const char* number) {
+    return textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), "joins");
+  }
+  const std::string head = "number,site,trench,context,joins\n";
+};
+
+TEST_F(Joins, WrittenInOneDirectionAllHoldAndComeToRest) {
+  import(head + "X-1,ARM1,T3,0012,\nX-2,ARM1,T3,0012,\nX-3,ARM1,T3,0012,\n");
+  const std::string chain = "number,joins\nX-1,X-2\nX-2,X-3\n";
+  EXPECT_EQ(import(chain).changed, 2);
+  EXPECT_EQ(of("X-1") + ", " + of("X-2") + ", " + of("X-3"), "X-2, X-1; X-3, X-2");
+  EXPECT_EQ(import(chain).same, 2);
+  EXPECT_EQ(import("number,joins\nX-1,X-2\nX-3,x-2\n").same, 2);
+  EXPECT_EQ(import("number,joins\nX-2,X-3\n").changed, 1);
+  EXPECT_EQ(of("X-1") + of("X-3"), "X-2") << "the table says that X-2 joins X-3 alone";
+  EXPECT_EQ(import("number,joins\nX-3,<clear>\n").changed, 1);
+  EXPECT_EQ(of("X-2"), "");
+}
+
+TEST_F(Joins, AmongNewSherdsEnterWithThem) {
+  const std::string both = head +
+                           "X-1,ARM1,T3,0012,X-2; X-3\nX-2,ARM1,T3,0012,X-1\n"
+                           "X-3,ARM1,T3,0012,\n";
+  const ImportReport report = import(both);
+  EXPECT_EQ(report.fresh, 3);
+  EXPECT_TRUE(report.warnings.empty());
+  EXPECT_EQ(of("X-1") + ", " + of("X-2") + ", " + of("X-3"), "X-2; X-3, X-1, X-1");
+  EXPECT_EQ(import(both).same, 3);
+}
+
+TEST_F(Joins, WithARowThatIsRefusedAreTold) {
+  const ImportReport report =
+      import(head +
+             "X-1,ARM1,T3,0012,X-2\nX-2,ARM1,T3,0099,X-1\nX-4,ARM1,T3,0012,X-5\n"
+             "X-6,ARM1,T3,0012,X-6\n");
+  EXPECT_EQ(report.fresh, 1);
+  EXPECT_EQ(of("X-1"), "");
+  EXPECT_THAT(report.warnings, testing::ElementsAre(testing::HasSubstr("left out: X-1 – X-2;")));
+  EXPECT_EQ(report.refused, 3);
+  EXPECT_THAT(report.refusals[1].reason, testing::HasSubstr("no sherd X-5 to join"));
+  EXPECT_THAT(report.refusals[2].reason, testing::HasSubstr("cannot join itself"));
+}
+
+TEST_F(Import, RefusesANumberThatIsReadInTwoWaysWhereACommaSeparates) {
+  const std::string comma = "number,site,trench,context,weight_g\nX-1,ARM1,T3,0012,";
+  EXPECT_THAT(why(comma + "\"1,250\"\n"),
+              testing::HasSubstr("2 weight_g 1,250: '1,250' can be read as 1250 or as 1.250"));
+  EXPECT_EQ(import(comma + "\"12,5\"\n").fresh, 1);
+  EXPECT_EQ(import("number;site;trench;context;weight_g\nX-2;ARM1;T3;0012;1,250\n").fresh, 1);
+  const std::string bag = "site,trench,context,bag,weight_g\nARM1,T3,0012,4,";
+  EXPECT_THAT(why(bag + "\"1,250\"\n"), testing::HasSubstr("can be read as 1250 or as 1.250"));
+  EXPECT_EQ(import(bag + "1.25\n").changed, 1);
+  EXPECT_EQ(import(bag + "\"1,250\"\n").same, 1) << "it is there already";
+}
+
+TEST_F(Import, OfANewSherdKeepsWhatAProgramMeasuredForThePrograms) {
+  const std::string table =
+      "number,site,trench,context,length_mm,width_mm,rim_pct,measured_by_hand\n"
+      "X-1,ARM1,T3,0012,52.125,30,12,width_mm\nX-2,ARM1,T3,0012,1001,30,12,\n";
+  const ImportReport report = import(table);
+  EXPECT_EQ(report.fresh, 1);
+  ASSERT_EQ(report.refusals.size(), 1u);
+  EXPECT_THAT(report.refusals[0].reason, testing::HasSubstr("1000 mm")) << "as strict as ever";
+  const SherdRow row = *catalogue().sherdByNumber("X-1");
+  std::map<std::string, std::string> methods;
+  for (const Measurement& m : valueIn(catalogue().measurements(row))) methods[m.kind] = m.method;
+  EXPECT_THAT(methods, testing::ElementsAre(testing::Pair("length", "program"),
+                                            testing::Pair("rim_pct", "program"),
+                                            testing::Pair("width", "calliper")));
+  EXPECT_EQ(import(table).same, 1);
+  import("number,site,trench,context,length_mm\nX-3,ARM1,T3,0012,52\n");
+  EXPECT_EQ(catalogue().measurements(*catalogue().sherdByNumber("X-3"))->front().method, "calliper")
+      << "where nothing is said";
+}
+
+// Each laptop begins with B0001.
+TEST_F(Import, OfASherdDoesNotTakeABatchByItsNumber) {
+  ASSERT_EQ(catalogue().batch(newBatch({bag4}))->number, "B0001");
+  ASSERT_EQ(import("number,site,trench,context,batch\nX-1,ARM1,T3,0012,B0001\n").fresh, 1);
+  EXPECT_FALSE(catalogue().sherd(*catalogue().sherdByNumber("X-1"))->batch);
+}
+
+TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Result<ImportReport> report =
+      importTable(catalogue(), kTwo, "t.csv", {ImportMode::Enter, UnknownPlaces::Refuse}, anna,
+                  quiet, stop.get_token());
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
+  EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+}
+
+std::string manyRows(int count) {
+  std::string text = "number,site,trench,context,ware\r\n";
+  for (int i = 1; i <= count; ++i)
+    text += "ARM1-T3-0012-" + std::to_string(10'000 + i) + ",ARM1,T3,0012,grey\r\n";
+  return text;
+}
+
+// Calls for something as soon as so many rows were read.
+class At final : public Progress {
+ public:
+  At(std::int64_t row, std::function<void()> provenance)
+      : row_(row), provenance_(std::move(provenance)) {}
+  void report(std::int64_t done, std::int64_t) override {
+    if (done >= row_ && provenance_) std::exchange(provenance_, nullptr)();
+  }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::int64_t row_;
+  std::function<void()> provenance_;
+};
+
+TEST_F(Import, ThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {
+  std::stop_source stop;
+  At progress(64, [&] { stop.request_stop(); });
+  const Result<ImportReport> part =
+      importTable(catalogue(), manyRows(200), "bags.csv",
+                  {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress, stop.get_token());
+  ASSERT_TRUE(part) << part.error().sentence();
+  EXPECT_GE(part->fresh, 64);
+  EXPECT_EQ(part->not_reached, 200 - part->fresh);
+  EXPECT_EQ(catalogue().sherdRows({}, {})->size(), static_cast<std::size_t>(part->fresh));
+  const auto left = unfinishedImports(catalogue());
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].source, "bags.csv");
+  EXPECT_EQ(left[0].entered, part->fresh);
+  EXPECT_EQ(left[0].of, 200);
+
+  import(kTwo);
+  EXPECT_EQ(unfinishedImports(catalogue()).size(), 1u) << "of another table nothing is known";
+  const ImportReport rest =
+      import(manyRows(200), ImportMode::Enter, UnknownPlaces::Refuse, "bags.csv");
+  EXPECT_EQ(rest.same, part->fresh);
+  EXPECT_EQ(rest.fresh, part->not_reached);
+  EXPECT_TRUE(unfinishedImports(catalogue()).empty());
+  EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
+TEST_F(Import, OfTwoTablesThatBrokeOffKeepsBothInMind) {
+  for (const char* file : {"a.csv", "b.csv"}) {
+    std::stop_source stop;
+    At progress(64, [&] { stop.request_stop(); });
+    ASSERT_TRUE(importTable(catalogue(), manyRows(200), file,
+                            {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress,
+                            stop.get_token()));
+  }
+  ASSERT_EQ(unfinishedImports(catalogue()).size(), 2u);
+  import(manyRows(200), ImportMode::Enter, UnknownPlaces::Refuse, "b.csv");
+  ASSERT_EQ(unfinishedImports(catalogue()).size(), 1u);
+  EXPECT_EQ(unfinishedImports(catalogue())[0].source, "a.csv");
+  ASSERT_TRUE(forgetUnfinishedImports(catalogue()));
+  EXPECT_TRUE(unfinishedImports(catalogue()).empty());
+}
+
+std::string manyContexts(int count) {
+  std::string text = "site,trench,context,bag\r\n";
+  for (int i = 1; i <= count; ++i) text += "ARM1,T9," + std::to_string(i) + ",1\r\n";
+  return text;
+}
+
+TEST_F(Import, OfContextsThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {
+  std::stop_source stop;
+  At progress(64, [&] { stop.request_stop(); });
+  const Result<ImportReport> part =
+      importTable(catalogue(), manyContexts(200), "contexts.csv",
+                  {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress, stop.get_token());
+  ASSERT_TRUE(part) << part.error().sentence();
+  EXPECT_GE(part->fresh, 64);
+  EXPECT_EQ(part->not_reached, 200 - part->fresh);
+  ASSERT_EQ(unfinishedImports(catalogue()).size(), 1u);
+  EXPECT_EQ(unfinishedImports(catalogue())[0].entered, part->fresh);
+
+  const ImportReport rest =
+      import(manyContexts(200), ImportMode::Enter, UnknownPlaces::Refuse, "contexts.csv");
+  EXPECT_EQ(rest.same, part->fresh);
+  EXPECT_EQ(rest.fresh, part->not_reached);
+  EXPECT_TRUE(unfinishedImports(catalogue()).empty());
+}
+
+// Somebody else's decision is written while the table is entered, not after it.
+bool othersWriteDuring(const std::filesystem::path& project,
+                       const std::function<void(Progress&)>& work) {
+  std::atomic<bool> over = false, began = false, meanwhile = false;
+  std::thread other([&] {
+    while (!began) std::this_thread::yield();
+    Result<Catalogue> second = Project::connect(project);
+    const bool written = second && second->setSetting("a.window", "decides");
+    meanwhile = written && !over;
+  });
+  At progress(64, [&] { began = true; });
+  work(progress);
+  over = true;
+  began = true;
+  other.join();
+  return meanwhile;
+}
+
+TEST_F(Import, LetsOthersWriteMeanwhile) {
+  for (const std::string& table : {manyRows(2000), manyContexts(1000)})
+    EXPECT_TRUE(othersWriteDuring(project_->folder(), [&](Progress& progress) {
+      const auto report =
+          importTable(catalogue(), table, "t.csv", {ImportMode::Enter, UnknownPlaces::Refuse}, anna,
+                      progress, {});
+      ASSERT_TRUE(report);
+      EXPECT_GE(report->fresh, 1000);
+    }));
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

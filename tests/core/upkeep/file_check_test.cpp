@@ -1,0 +1,194 @@
+#include "upkeep/file_check.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "files/files.h"
+#include "store/database.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileCheck : public SmallProject {
+ protected:
+  FileCheck() : batch(newBatch({bag4})), sherd(numbered(context12)) {
+    enter("batches/B0001/front/cam0_pos00.jpg", "photo", std::string(3000, 'p'));
+    enter("models/B0001/aa/model.ply", "model", std::string(2000, 'm'));
+    enter("models/B0001/aa/preview.png", "preview", std::string(1000, 'v'));
+    enter("results/B0001/work/scans_front/f001.ply", "scan", std::string(500, 's'));
+    EXPECT_TRUE(catalogue().setBatchState(batch, BatchState::Done, anna));
+  }
+  fs::path at(const std::string& path) const { return project_->folder() / path; }
+  void enter(const std::string& path, const std::string& role, const std::string& bytes) {
+    ASSERT_TRUE(writeFileAtomically(at(path), bytes));
+    FileRecord file;
+    file.path = path;
+    file.role = role;
+    file.sha256 = sha256(bytes);
+    file.bytes = static_cast<std::int64_t>(bytes.size());
+    file.media_type = "application/octet-stream";
+    file.batch = batch;
+    if (role != "photo" && role != "scan") file.sherd = sherd;
+    ASSERT_TRUE(catalogue().save(file, anna));
+  }
+  // One bit, as a disk does it.
+  void flipBit(const std::string& path) {
+    std::fstream file(at(path), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(100);
+    const int byte = file.get();
+    file.seekp(100);
+    file.put(static_cast<char>(byte ^ 4));
+  }
+  CheckedFiles check(CheckDepth depth = CheckDepth::Hashes) {
+    return valueIn(checkFiles(catalogue(), project_->folder(), depth, quiet, {}));
+  }
+  CheckedFiles share(std::int64_t bytes) {
+    return valueIn(checkShare(catalogue(), project_->folder(), bytes, quiet, {}));
+  }
+  static std::vector<std::string> sentences(const CheckedFiles& checked) {
+    std::vector<std::string> all;
+    for (const DamagedFile& file : checked.damaged) all.push_back(sentenceOf(file));
+    return all;
+  }
+  BatchRow batch;
+  SherdRow sherd;
+  QuietProgress quiet;
+};
+
+TEST_F(FileCheck, FindsOneBitFlippedInEachKindOfFile) {
+  EXPECT_THAT(sentences(check()), testing::IsEmpty());
+  for (const KnownFile& file : valueIn(knownFiles(catalogue()))) flipBit(file.path);
+  EXPECT_THAT(sentences(check(CheckDepth::NamesAndSizes)), testing::IsEmpty())
+      << "a bit changes no size";
+  EXPECT_THAT(sentences(check()),
+              testing::ElementsAre(
+                  "batches/B0001/front/cam0_pos00.jpg (batch B0001) has changed since it was "
+                  "entered.",
+                  "models/B0001/aa/model.ply (sherd ARM1-T3-0012-0001, batch B0001) has changed "
+                  "since it was entered.",
+                  "models/B0001/aa/preview.png (sherd ARM1-T3-0012-0001, batch B0001) has changed "
+                  "since it was entered.",
+                  "results/B0001/work/scans_front/f001.ply (batch B0001) has changed since it was "
+                  "entered."));
+}
+
+TEST_F(FileCheck, FindsWhatIsMissingAndWhatHasAnotherSizeByNamesAlone) {
+  fs::remove(at("models/B0001/aa/model.ply"));
+  std::ofstream(at("batches/B0001/front/cam0_pos00.jpg")) << "cut off";
+  for (const CheckDepth depth : {CheckDepth::NamesAndSizes, CheckDepth::Hashes}) {
+    const CheckedFiles checked = check(depth);
+    ASSERT_EQ(checked.damaged.size(), 2u);
+    EXPECT_EQ(checked.damaged[0].damage, Damage::Changed);
+    EXPECT_EQ(checked.damaged[1].damage, Damage::Missing);
+    EXPECT_EQ(checked.files, 4);
+  }
+}
+
+TEST_F(FileCheck, LeavesOutTheResultsOfABatchThatIsBeingComputed) {
+  flipBit("results/B0001/work/scans_front/f001.ply");
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Queued, anna));
+  EXPECT_THAT(sentences(check()), testing::IsEmpty());
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, anna));
+  EXPECT_EQ(check().damaged.size(), 1u);
+}
+
+// Stops when it has said so often how far it is.
+class StoppingAt final : public Progress {
+ public:
+  StoppingAt(int reports, std::stop_source& stop) : left_(reports), stop_(stop) {}
+  void report(std::int64_t done, std::int64_t total) override {
+    EXPECT_LE(done, total);
+    if (--left_ == 0) stop_.request_stop();
+  }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  int left_;
+  std::stop_source& stop_;
+};
+
+TEST_F(FileCheck, GoesOnWhereItWasInterrupted) {
+  std::stop_source stop;
+  StoppingAt third(3, stop);
+  const auto stopped =
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, third, stop.get_token());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  const CheckedFiles rest = check();
+  EXPECT_EQ(rest.files, 4);
+  EXPECT_EQ(rest.checked, 2) << "the two before were whole";
+  EXPECT_EQ(check().checked, 4) << "a check that ended begins anew";
+}
+
+TEST_F(FileCheck, NamesTheDamageThatItFoundBeforeItWasInterrupted) {
+  flipBit("batches/B0001/front/cam0_pos00.jpg");
+  std::stop_source stop;
+  StoppingAt last(4, stop);
+  ASSERT_FALSE(
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, last, stop.get_token()));
+  const CheckedFiles rest = check();
+  ASSERT_EQ(rest.damaged.size(), 1u);
+  EXPECT_EQ(rest.checked, 2) << "what was damaged is looked at again";
+}
+
+TEST_F(FileCheck, GoesOnFromALineThatWasCutOff) {
+  std::stop_source stop;
+  StoppingAt third(3, stop);
+  ASSERT_FALSE(
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, third, stop.get_token()));
+  const fs::path log = at("file-checks.txt");
+  fs::resize_file(log, fs::file_size(log) - 5);
+  EXPECT_EQ(check().checked, 3);
+  std::ofstream(log) << "\x01\xff nonsense\n9223372036854775807 begin\n-3 whole\n";
+  EXPECT_THAT(sentences(check()), testing::IsEmpty());
+}
+
+TEST_F(FileCheck, LooksAgainAtAFileThatWasEnteredAnewMeanwhile) {
+  std::stop_source stop;
+  StoppingAt last(4, stop);
+  ASSERT_FALSE(
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, last, stop.get_token()));
+  enter("batches/B0001/front/cam0_pos00.jpg", "photo", "another");
+  flipBit("models/B0001/aa/model.ply");
+  EXPECT_EQ(check().checked, 2) << "the new photograph and the scan that was not reached";
+}
+
+TEST_F(FileCheck, OfAShareTakesTheLongestUncheckedInTurn) {
+  for (int opening = 0; opening < 4; ++opening) {
+    const CheckedFiles checked = share(1);
+    EXPECT_EQ(checked.checked, 1);
+    EXPECT_EQ(checked.files, 4);
+  }
+  flipBit("models/B0001/aa/preview.png");
+  CheckedFiles found;
+  int openings = 0;
+  for (; found.damaged.empty() && openings < 10; ++openings) found = share(1);
+  EXPECT_EQ(openings, 3) << "the third in its turn";
+  EXPECT_EQ(share(1).damaged.size(), 1u) << "what was damaged is said until it is mended";
+  ASSERT_TRUE(writeFileAtomically(at("models/B0001/aa/preview.png"), std::string(1000, 'v')));
+  EXPECT_TRUE(share(1).damaged.empty());
+  EXPECT_EQ(share(1 << 20).checked, 4);
+}
+
+TEST_F(FileCheck, NeedsNoRightToWrite) {
+  fs::create_directory(at("file-checks.txt"));  // where root may write everywhere
+  flipBit("models/B0001/aa/model.ply");
+  EXPECT_EQ(check().damaged.size(), 1u);
+  EXPECT_EQ(share(1 << 20).damaged.size(), 1u);
+}
+
+TEST_F(FileCheck, RefusesACatalogueThatNamesPlacesOutsideTheProject) {
+  EXPECT_TRUE(checkPaths(catalogue()));
+  catalogue().database().script(
+      "UPDATE file SET path = '../../.ssh/id_rsa' WHERE role = 'preview'");
+  const Result<void> paths = checkPaths(catalogue());
+  ASSERT_FALSE(paths);
+  EXPECT_EQ(paths.error().code, ErrorCode::UnusableInput);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

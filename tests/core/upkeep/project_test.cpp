@@ -1,0 +1,213 @@
+#include "upkeep/project.h"
+
+#include <fstream>
+
+#include "store/database.h"
+#include "store/names.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ProjectFolder = SmallProject;
+
+TEST_F(ProjectFolder, HoldsTheFoldersThatTheProgramWorksIn) {
+  for (const char* name : {"catalogue.sqlite", "batches", "results", "backups"})
+    EXPECT_TRUE(fs::exists(project_->folder() / name)) << name;
+  EXPECT_TRUE(Project::isProject(project_->folder()));
+  EXPECT_FALSE(Project::isProject(folder_.path()));
+  EXPECT_EQ(project_->batchFolder("B0001"), project_->folder() / "batches" / "B0001");
+}
+
+TEST_F(ProjectFolder, TheCataloguesHeaderTellsItFromOtherDatabases) {
+  project_.reset();
+  std::ifstream file(folder_.path() / "project" / "catalogue.sqlite", std::ios::binary);
+  std::string head(72, '\0');
+  ASSERT_TRUE(file.read(head.data(), 72));
+  EXPECT_EQ(head.substr(0, 15), "SQLite format 3");
+  EXPECT_EQ(head.substr(68, 4), "OSTR") << "where packaging/ostraka-mime.xml looks for it";
+}
+
+TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
+  const SherdRow sherd = numbered(context12);
+  project_.reset();
+  Result<Project> again = Project::open(folder_.path() / "project");
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(again->catalogue().project()->title, "Trial");
+  EXPECT_EQ(again->catalogue().sherd(sherd)->number, "ARM1-T3-0012-0001");
+  EXPECT_FALSE(again->catalogue().project()->id.empty());
+}
+
+TEST_F(ProjectFolder, AFolderThatHoldsSomethingIsNotTaken) {
+  std::ofstream(folder_.path() / "file") << "x";
+  ProjectRecord record;
+  record.code = "ARM";
+  const Result<Project> made = Project::create(folder_.path(), record);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::UnusableInput);
+}
+
+TEST_F(ProjectFolder, ACodeOrANumberingThatCannotBeUsedLeavesNoFolderBehind) {
+  ProjectRecord record;
+  record.code = "too long a code";
+  EXPECT_FALSE(Project::create(folder_.path() / "new", record));
+  EXPECT_FALSE(fs::exists(folder_.path() / "new"));
+  record.code = "ARM";
+  record.numbering = "{site}";
+  EXPECT_FALSE(Project::create(folder_.path() / "new", record));
+  EXPECT_FALSE(fs::exists(folder_.path() / "new"));
+}
+
+TEST_F(ProjectFolder, AnyFolderNameWillDo) {
+  ProjectRecord record;
+  record.code = "ARM";
+  for (const char* name : {"mit Leerzeichen", "Գառնի %20 #1", "مشروع"}) {
+    const Result<Project> made = Project::create(folder_.path() / name, record);
+    ASSERT_TRUE(made) << name << made.error().sentence();
+    EXPECT_TRUE(Project::open(folder_.path() / name)) << name;
+  }
+}
+
+TEST_F(ProjectFolder, ACatalogueOfANewerProgramIsRefused) {
+  {
+    auto database =
+        *Database::open(project_->folder() / "catalogue.sqlite", Database::Mode::ReadWrite);
+    database->script("PRAGMA user_version = 99");
+  }
+  const Result<Project> newer = Project::open(project_->folder());
+  ASSERT_FALSE(newer);
+  EXPECT_NE(newer.error().what.find("newer Ostraka"), std::string::npos);
+}
+
+TEST_F(ProjectFolder, AFolderWithoutACatalogueAndAFileThatIsNoneAreRefused) {
+  EXPECT_FALSE(Project::open(folder_.path()));
+  fs::create_directories(folder_.path() / "other");
+  std::ofstream(folder_.path() / "other" / "catalogue.sqlite") << std::string(5000, 'x');
+  const Result<Project> opened = Project::open(folder_.path() / "other");
+  ASSERT_FALSE(opened);
+  EXPECT_NE(opened.error().what.find("damaged"), std::string::npos) << opened.error().what;
+}
+
+TEST_F(ProjectFolder, ABackupIsReadBackAndHoldsEverything) {
+  numbered(context12);
+  const Result<fs::path> file = project_->backUp();
+  ASSERT_TRUE(file) << file.error().sentence();
+  EXPECT_FALSE(fs::exists(file->string() + ".partial"));
+  fs::create_directories(folder_.path() / "restored");
+  fs::copy_file(*file, folder_.path() / "restored" / "catalogue.sqlite");
+  Result<Project> restored = Project::open(folder_.path() / "restored");
+  ASSERT_TRUE(restored) << restored.error().sentence();
+  EXPECT_TRUE(restored->catalogue().checkIntegrity());
+  const SherdRow row = *restored->catalogue().sherdByNumber("ARM1-T3-0012-0001");
+  EXPECT_TRUE(row);
+  EXPECT_EQ(restored->catalogue().history(row)->size(), catalogue().history(row)->size());
+}
+
+TEST_F(ProjectFolder, OldBackupsMakeRoomForNewOnes) {
+  for (int i = 0; i < 5; ++i) ASSERT_TRUE(project_->backUp(3));
+  ASSERT_EQ(project_->backups().size(), 3u);
+  EXPECT_GT(project_->backups()[0], project_->backups()[1]) << "the newest first";
+}
+
+TEST_F(ProjectFolder, TheLastBackupOfEachDayStays) {
+  constexpr std::int64_t kDay_ms = 24 * 3600 * 1000;
+  std::vector<fs::path> last_of_day;
+  for (int day = 0; day < 4; ++day) {
+    for (int i = 0; i < 3; ++i) last_of_day.resize(1 + day, *project_->backUp(2, 3));
+    last_of_day.back() = project_->backups().front();
+    now_ms += kDay_ms;
+  }
+  const std::vector<fs::path> left = project_->backups();  // two of today, one of two days before
+  ASSERT_EQ(left.size(), 4u);
+  EXPECT_EQ(left[0], last_of_day[3]);
+  EXPECT_EQ(left[2], last_of_day[2]);
+  EXPECT_EQ(left[3], last_of_day[1]);
+}
+
+TEST_F(ProjectFolder, WhatWasChangedIsBackedUpOnceAnHour) {
+  using namespace std::chrono_literals;
+  EXPECT_EQ(*project_->backUpIfChanged(1h), true) << "never before";
+  EXPECT_EQ(*project_->backUpIfChanged(0h), false) << "nothing changed since";
+  numbered(context12);
+  EXPECT_EQ(*project_->backUpIfChanged(1h), false) << "too soon";
+  now_ms += 2 * 3600 * 1000;
+  EXPECT_EQ(*project_->backUpIfChanged(1h), true);
+  EXPECT_EQ(*project_->backUpIfChanged(0h), false);
+  EXPECT_EQ(project_->backups().size(), 2u);
+}
+
+TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
+  for (int i = 0; i < 50; ++i) draft(context12);
+  ASSERT_TRUE(catalogue().checkIntegrity());
+  catalogue().database().script("DELETE FROM sherd_text WHERE rowid = 3");
+  const Result<void> checked = catalogue().checkIntegrity();
+  ASSERT_FALSE(checked);
+  EXPECT_NE(checked.error().what.find("catalogue repair"), std::string::npos);
+}
+
+TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {
+  const Result<Catalogue> other = project_->connect();
+  ASSERT_TRUE(other) << other.error().sentence();
+  const SherdRow sherd = numbered(context12);
+  EXPECT_EQ(other->sherd(sherd)->number, "ARM1-T3-0012-0001");
+}
+
+TEST_F(ProjectFolder, PathsOutsideTheProjectHaveNoPlaceInIt) {
+  EXPECT_EQ(*project_->relative(project_->folder() / "results" / "x.ply"), "results/x.ply");
+  EXPECT_FALSE(project_->relative(folder_.path() / "x.ply"));
+}
+
+TEST_F(ProjectFolder, SeveralActsAreOneTransaction) {
+  const Result<void> done = catalogue().together([&]() -> Result<void> {
+    draft(context12);
+    if (auto set = catalogue().setSetting("a", "1"); !set) return set;
+    return Error{ErrorCode::Cancelled, "stop", {}};
+  });
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(*catalogue().setting("a"), "");
+  EXPECT_TRUE(found("").empty());
+}
+
+TEST_F(ProjectFolder, ANewProjectsWordsHaveLabelsThatAreToldApart) {
+  for (const char* name : {"part", "surface", "decoration", "manufacture", "firing", "condition"}) {
+    const auto terms = catalogue().vocabulary(name);
+    ASSERT_TRUE(terms.has_value());
+    ASSERT_GE(terms->size(), 3u) << name;
+    for (const char* language : {"de", "el", "es", "fr", "hy", "tr"}) {
+      std::set<std::string> labels;
+      for (const Term& term : *terms) {
+        ASSERT_TRUE(term.labels.contains(language)) << name << " " << term.term;
+        EXPECT_TRUE(labels.insert(uniqueKey(term.labels.at(language))).second)
+            << name << " " << term.labels.at(language);
+        for (const Term& other : *terms)  // nor is it another one's own word
+          EXPECT_TRUE(&other == &term ||
+                      uniqueKey(other.term) != uniqueKey(term.labels.at(language)))
+              << name << " " << term.labels.at(language);
+      }
+    }
+  }
+  const SherdRow sherd = draft(context12);
+  ASSERT_TRUE(set(sherd, "part", "Bord; col"));
+  EXPECT_EQ(valueOf(sherd, "part"), "rim; neck");
+}
+
+TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
+  const SherdRow sherd = draft(context12);
+  ASSERT_TRUE(set(sherd, "firing", "reduced"));
+  std::vector<Term> terms = *catalogue().vocabulary("firing");
+  ASSERT_EQ(terms.size(), 3u);
+  const Result<void> without = catalogue().setVocabulary("firing", {terms[0]}, anna);
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.error().what.find("'reduced': 1;"), std::string::npos);
+  terms.push_back({"sandwich", {{"de", "Sandwichbrand"}}, "http://example.org/1"});
+  ASSERT_TRUE(catalogue().setVocabulary("firing", terms, anna));
+  EXPECT_EQ(catalogue().vocabulary("firing")->back().labels.at("de"), "Sandwichbrand");
+  ASSERT_TRUE(set(sherd, "firing", "sandwichbrand")) << "a label means its term";
+  EXPECT_EQ(valueOf(sherd, "firing"), "sandwich");
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -82,9 +82,8 @@ class LanguagesTest : public QObject {
   static void fits(const MainWindow& window, const QWidget& screen, const QString& name) {
     QTest::qWait(0);
     QString widths = name;
-    for (const Screen* screen : window.screens())
-      widths +=
-          QStringLiteral(", %1 %2").arg(screen->title()).arg(screen->minimumSizeHint().width());
+    for (const Screen* shown : window.screens())
+      widths += QStringLiteral(", %1 %2").arg(shown->title()).arg(shown->minimumSizeHint().width());
     QVERIFY2(window.minimumSizeHint().width() <= kWidth, qPrintable(widths));
     const QStringList cut = cutIn(screen);
     QVERIFY2(cut.isEmpty(), qPrintable(name + ": " + cut.join(QStringLiteral(" | "))));

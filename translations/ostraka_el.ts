@@ -1781,8 +1781,8 @@
       <source>The %n photograph(s) of this side so far are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Η φωτογραφία αυτής της όψης είναι ασφαλής.</numerusform>
-        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι ασφαλείς.</numerusform>
+        <numerusform>Η φωτογραφία αυτής της όψης είναι αποθηκευμένη.</numerusform>
+        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι αποθηκευμένες.</numerusform>
       </translation>
     </message>
     <message>
@@ -1851,7 +1851,7 @@
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Η τράπεζα είναι ακίνητη. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
+        <translation>Το περιστρεφόμενο τραπέζι είναι ακίνητο. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
     </message>
 </context>
 <context>
@@ -2807,7 +2807,7 @@
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καταχωρίστηκαν: %1</translation>
+      <translation>Εισήχθησαν: %1</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -2818,8 +2818,8 @@
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Καταχώριση %n γραμμής</numerusform>
-        <numerusform>Καταχώριση %n γραμμών</numerusform>
+        <numerusform>Εισαγωγή %n γραμμής</numerusform>
+        <numerusform>Εισαγωγή %n γραμμών</numerusform>
       </translation>
     </message>
 </context>
@@ -3600,7 +3600,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Νέα βαθμονόμηση</translation>
+        <translation>Νέα βαθμονόμηση διάταξης</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -5381,7 +5381,7 @@
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· διαβάστε το ως εξαγωγή.</translation>
+      <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· εισαγάγετέ το ως εξαγωγή.</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
@@ -5791,7 +5791,7 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το περιστρεφόμενο τραπέζι δεν λέει πού βρίσκεται.</translation>
+      <translation>Το περιστρεφόμενο τραπέζι δεν αναφέρει τη στάση του.</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
@@ -6126,32 +6126,32 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'move' πρέπει να περιέχει {target} ή {by}.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'move' πρέπει να περιέχει {target} ή {by}.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'accepted' πρέπει να λέει πώς απαντά.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'accepted' πρέπει να λέει πώς απαντά.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: τα 'query' και 'position' πάνε μαζί.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: τα 'query' και 'position' πάνε μαζί.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'reply_s' πρέπει να είναι μεγαλύτερο από 0.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'reply_s' πρέπει να είναι μεγαλύτερο από 0.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το '%1' δεν είναι κανονική έκφραση.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το '%1' δεν είναι κανονική έκφραση.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'position' χρειάζεται μια ομάδα για τη γωνία.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'position' χρειάζεται μια ομάδα για τη γωνία.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
@@ -8006,7 +8006,7 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Κανένα όστρακο δεν είναι σημειωμένο σε αυτή τη φωτογραφία· παραλείπεται.</translation>
+      <translation>%1: Η μάσκα δεν σημειώνει κανένα όστρακο σε αυτή τη φωτογραφία· παραλείπεται.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
@@ -8016,12 +8016,12 @@
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
+      <translation>Οι μάσκες σημειώνουν όστρακα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
+      <translation>Οι μάσκες σημειώνουν όστρακα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8176,7 +8176,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: δεν φαίνεται κανένας δείκτης· δείχνει αυτή τη στάση; Αν όχι, τραβήξτε την ξανά.</translation>
+      <translation>%1: δεν φαίνεται κανένας δείκτης· ελέγξτε ότι η φωτογραφία δείχνει αυτή τη στάση. Αν όχι, τραβήξτε την ξανά.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>

@@ -1705,7 +1705,7 @@
     <message>
       <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces prises.</translation>
+      <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces avant prises.</translation>
     </message>
     <message>
       <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
@@ -3650,7 +3650,7 @@
     <message>
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Poursuivre</translation>
+        <translation>Poursuivre le traitement</translation>
     </message>
 </context>
 <context>
@@ -4653,7 +4653,7 @@
     <message>
         <source>filled in, not seen by a camera</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>comblé, vu par aucune caméra</translation>
+        <translation>comblé, vu par aucun appareil</translation>
     </message>
     <message>
         <source>Distance between the sides along the fracture</source>
@@ -8106,7 +8106,7 @@
     <message>
       <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; elle est laissée de côté.</translation>
+      <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; la photo est laissée de côté.</translation>
     </message>
     <message>
       <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>

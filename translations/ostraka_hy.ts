@@ -1443,7 +1443,7 @@
     <message>
       <source>Stop turntable</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել</translation>
+      <translation>Կանգնեցնել սեղանը</translation>
     </message>
     <message>
       <source>Change rig…</source>
@@ -1730,7 +1730,7 @@
     <message>
         <source>Taking calibration photographs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Արվում են չափաբերման լուսանկարներ</translation>
+        <translation>Արվում են տրամաչափման լուսանկարներ</translation>
     </message>
     <message>
         <source>The virtual rig turns the sherds over</source>
@@ -1755,7 +1755,7 @@
     <message>
         <source>Calibration photograph %1 of %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Չափաբերման լուսանկար %1 / %2</translation>
+        <translation>Տրամաչափման լուսանկար %1 / %2</translation>
     </message>
     <message>
         <source>Position %1 of %2</source>
@@ -2022,7 +2022,7 @@
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Այո, անվավեր է</translation>
+        <translation>Անվավեր դարձնել բեկորը</translation>
     </message>
 </context>
 <context>
@@ -2490,7 +2490,7 @@
     <message>
       <source>Folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Որտե՞ղ լինի պանակը։</translation>
+      <translation>Արտահանման պանակ</translation>
     </message>
     <message>
       <source>fit to A4</source>
@@ -2807,7 +2807,7 @@
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գրանցված է՝ %1</translation>
+      <translation>Ներմուծված է՝ %1</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -2818,8 +2818,8 @@
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Գրանցել %n տող</numerusform>
-        <numerusform>Գրանցել %n տող</numerusform>
+        <numerusform>Ներմուծել %n տող</numerusform>
+        <numerusform>Ներմուծել %n տող</numerusform>
       </translation>
     </message>
 </context>
@@ -3600,7 +3600,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Վերաչափաբերել</translation>
+        <translation>Վերատրամաչափել սարքակազմը</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -5381,7 +5381,7 @@
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա ամբողջ նախագծի արխիվ չէ. կարդացեք այն որպես արտահանում։</translation>
+      <translation>Սա ամբողջ նախագծի արխիվ չէ. ներմուծեք այն որպես արտահանում։</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
@@ -5501,7 +5501,7 @@
     <message>
       <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Անունը կայանքի լուսանկարի է, իսկ մյուսների մեծ մասը՝ ոչ. այս լուսանկարը բաց է թողնվում։</translation>
+      <translation>Անունը սարքակազմի լուսանկարի է, իսկ մյուսների մեծ մասը՝ ոչ. այս լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
       <source>Another photograph has the same name; this one is left out.</source>
@@ -5791,7 +5791,7 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանը չի ասում՝ որտեղ է։</translation>
+      <translation>Պտտվող սեղանը չի հայտնում իր դիրքը։</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
@@ -6061,7 +6061,7 @@
     <message>
       <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգառների թիվը պետք է լինի 3-ից 99։</translation>
+      <translation>Դիրքերի թիվը պետք է լինի 3-ից 99։</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6126,32 +6126,32 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'move'-ը պետք է պարունակի {target} կամ {by}։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'move'-ը պետք է պարունակի {target} կամ {by}։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'accepted'-ը պետք է ասի, թե ինչպես է պատասխանում։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'accepted'-ը պետք է ասի, թե ինչպես է պատասխանում։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'query'-ն և 'position'-ը միասին են։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'query'-ն և 'position'-ը միասին են։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'reply_s'-ը պետք է մեծ լինի 0-ից։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'reply_s'-ը պետք է մեծ լինի 0-ից։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. '%1'-ը կանոնավոր արտահայտություն չէ։</translation>
+      <translation>Պտտվող սեղանի բարբառը. '%1'-ը կանոնավոր արտահայտություն չէ։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'position'-ին պետք է խումբ՝ անկյան համար։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'position'-ին պետք է խումբ՝ անկյան համար։</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
@@ -7586,7 +7586,7 @@
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից նորից լուսանկարվել է. նորից որոշեք։</translation>
+      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից վերալուսանկարվել է. նորից որոշեք։</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
@@ -7611,7 +7611,7 @@
     <message>
       <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չի նշվել՝ մի կողմ դնելու կամ կրկին նկարելու համար։</translation>
+      <translation>Ոչինչ չի նշվել՝ մի կողմ դնելու կամ վերալուսանկարելու համար։</translation>
     </message>
     <message>
       <source>Fragments to merge must be of one side.</source>
@@ -7966,12 +7966,12 @@
     <message>
       <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, կրկին լուսանկարեք։</translation>
+      <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, վերալուսանկարեք։</translation>
     </message>
     <message>
       <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկոր %1. դրա մոդելն ունի միջանցիկ անցք (%2 մմ²)։ Եթե բեկորն անցք չունի, լուսանկարները չեն ցույց տալիս այդ տեղը. կրկին լուսանկարեք այն։</translation>
+      <translation>Բեկոր %1. դրա մոդելն ունի միջանցիկ անցք (%2 մմ²)։ Եթե բեկորն անցք չունի, լուսանկարները չեն ցույց տալիս այդ տեղը. վերալուսանկարեք այն։</translation>
     </message>
     <message>
       <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
@@ -8006,7 +8006,7 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. այս լուսանկարի վրա ոչ մի բեկոր նշված չէ. այն բաց է թողնվում։</translation>
+      <translation>%1. դիմակն այս լուսանկարի վրա ոչ մի բեկոր չի նշում. այն բաց է թողնվում։</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
@@ -8016,12 +8016,12 @@
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորներ նշված են առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+      <translation>Դիմակները բեկորներ են նշում առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորներ նշված են հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+      <translation>Դիմակները բեկորներ են նշում հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8221,7 +8221,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լավ է. օբյեկտիվները, տեղերն ու մասշտաբը որոշված են։</translation>
+      <translation>Լավ է. օբյեկտիվները, տեսախցիկների դիրքերն ու մասշտաբը որոշված են։</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
@@ -8851,7 +8851,7 @@
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն մուտքագրվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
+      <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն ներմուծվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
     </message>
     <message>
       <source>'%1' can be read as %2 or as %3; write one of the two.</source>
@@ -8986,7 +8986,7 @@
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չմուտքագրվեց։</translation>
+      <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չի ներմուծվել։</translation>
     </message>
     <message>
       <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>

@@ -692,7 +692,7 @@
     <message>
         <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%2 tarafından %1 ile birleştirildi. Parti yeniden işlenince tek parça olur.</translation>
+        <translation>%2 tarafından %1 ile birleştirildi. Parti yeniden işlenince tek kırık parça olur.</translation>
     </message>
     <message>
         <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
@@ -1813,7 +1813,7 @@
     <message>
       <source>Release camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaüstüne bıraktır</translation>
+      <translation>Kamerayı serbest bırak</translation>
     </message>
     <message>
       <source>Markers %1 of %2, %3 needed</source>
@@ -1828,7 +1828,7 @@
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Tabla duruyor. Kaydedilen fotoğraflar korunur.</translation>
+        <translation>Döner masa duruyor. Kaydedilen fotoğraflar korunur.</translation>
     </message>
 </context>
 <context>
@@ -1888,7 +1888,7 @@
     <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 alımıyla gelen değişiklikler</translation>
+      <translation>%1 içe aktarımıyla gelen değişiklikler</translation>
     </message>
     <message>
       <source>Imported %1: %2</source>
@@ -1928,7 +1928,7 @@
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al</translation>
+      <translation>İçe aktar</translation>
     </message>
     <message>
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
@@ -1988,7 +1988,7 @@
     <message>
       <source>Import…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al …</translation>
+      <translation>İçe aktar …</translation>
     </message>
     <message>
       <source>Dismiss</source>
@@ -1998,7 +1998,7 @@
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Evet, geçersiz</translation>
+        <translation>Parçayı geçersiz kıl</translation>
     </message>
 </context>
 <context>
@@ -2458,7 +2458,7 @@
     <message>
       <source>Folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Klasör nerede olsun?</translation>
+      <translation>Dışa aktarma klasörü</translation>
     </message>
     <message>
       <source>fit to A4</source>
@@ -2627,7 +2627,7 @@
     <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alımın ilerlemesi</translation>
+      <translation>İçe aktarmanın ilerlemesi</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2771,7 +2771,7 @@
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girildi: %1</translation>
+      <translation>İçe aktarıldı: %1</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -2782,7 +2782,7 @@
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n satırı gir</numerusform>
+        <numerusform>%n satırı içe aktar</numerusform>
       </translation>
     </message>
 </context>
@@ -2796,12 +2796,12 @@
     <message>
       <source>Preview of an import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alımın önizlemesi</translation>
+      <translation>İçe aktarmanın önizlemesi</translation>
     </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al</translation>
+      <translation>İçe aktar</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -3557,7 +3557,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Yeniden kalibre et</translation>
+        <translation>Düzeneği yeniden kalibre et</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -3856,7 +3856,7 @@
     <message>
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bir parti çekin ya da içe aktarın. Çiftleri işlenince burada görünür.</translation>
+        <translation>Bir parti çekin ya da içe aktarın. Eşleri işlenince burada görünür.</translation>
     </message>
     <message>
         <source>Capture a batch</source>
@@ -4815,7 +4815,7 @@
       <source>and in %n more context(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>ve %n bağlamda daha</numerusform>
+        <numerusform>ve %n kontekstte daha</numerusform>
       </translation>
     </message>
     <message>
@@ -4986,7 +4986,7 @@
     <message>
       <source>How far the import is</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Almanın ilerlemesi</translation>
+      <translation>İçe aktarmanın ilerlemesi</translation>
     </message>
     <message>
       <source>Stop the import</source>
@@ -6013,7 +6013,7 @@
     <message>
       <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durak sayısı 3 ile 99 arasında olmalı.</translation>
+      <translation>Konum sayısı 3 ile 99 arasında olmalı.</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6078,32 +6078,32 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'move' içinde {target} ya da {by} olmalı.</translation>
+      <translation>Döner masanın lehçesi: 'move' içinde {target} ya da {by} olmalı.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'accepted' nasıl yanıt verdiğini söylemeli.</translation>
+      <translation>Döner masanın lehçesi: 'accepted' nasıl yanıt verdiğini söylemeli.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'query' ile 'position' birlikte verilir.</translation>
+      <translation>Döner masanın lehçesi: 'query' ile 'position' birlikte verilir.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'reply_s' 0’dan büyük olmalı.</translation>
+      <translation>Döner masanın lehçesi: 'reply_s' 0’dan büyük olmalı.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: '%1' bir düzenli ifade değil.</translation>
+      <translation>Döner masanın lehçesi: '%1' bir düzenli ifade değil.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'position' için açıyı veren bir öbek gerekir.</translation>
+      <translation>Döner masanın lehçesi: 'position' için açıyı veren bir öbek gerekir.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
@@ -6233,7 +6233,7 @@
     <message>
       <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>bulanık: tabla hâlâ hareket mi ediyordu, odak mı değişti?</translation>
+      <translation>resim bulanık: döner masanın hareketsiz ve odağın değişmemiş olduğuna bakın</translation>
     </message>
     <message>
       <source>the sherds are too dark: add light or increase the exposure time</source>
@@ -6398,7 +6398,7 @@
     <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Çiftler tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
+      <translation>Eş tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
     </message>
     <message>
       <source>This batch is no longer in the catalogue.</source>
@@ -7158,12 +7158,12 @@
     <message>
       <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 konteksti yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
+      <translation>%1 konteksti yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
       <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 torbası yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
+      <translation>%1 torbası yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
       <source>The column closed accepts yes or no.</source>
@@ -7538,7 +7538,7 @@
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, yüzü o zamandan beri yeniden fotoğraflanan %3 içindir; yeniden karar verin.</translation>
+      <translation>%2 tarafından verilen %1. karar, yüzü o zamandan beri yeniden çekilen %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
@@ -7958,7 +7958,7 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: bu fotoğrafta işaretli hiç parça yok; atlanıyor.</translation>
+      <translation>%1: maske bu fotoğrafta hiç parça işaretlemiyor; atlanıyor.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
@@ -7968,12 +7968,12 @@
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün %1 fotoğrafında parça işaretli; 3 gerekir.</translation>
+      <translation>Ön yüzün %1 fotoğrafında maskeler parça işaretliyor; 3 gerekir.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün %1 fotoğrafında parça işaretli; 3 gerekir.</translation>
+      <translation>Arka yüzün %1 fotoğrafında maskeler parça işaretliyor; 3 gerekir.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8173,7 +8173,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İyi: objektifler, yerler ve ölçek belirlendi.</translation>
+      <translation>İyi: objektifler, kamera duruşları ve ölçek belirlendi.</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>

@@ -3741,7 +3741,7 @@
     <message>
       <source>Set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Beiseitelegen</translation>
+      <translation>Beiseite</translation>
     </message>
     <message>
       <source>… and the other end</source>

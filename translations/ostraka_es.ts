@@ -248,7 +248,7 @@
     <message>
       <source>reason voided</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>motivo de la anulación</translation>
+      <translation>anulado porque</translation>
     </message>
     <message>
       <source>minimum thickness, mm</source>

@@ -248,7 +248,7 @@
     <message>
       <source>reason voided</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>raison de l&apos;annulation</translation>
+      <translation>annulé parce que</translation>
     </message>
     <message>
       <source>minimum thickness, mm</source>

@@ -14,7 +14,7 @@
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen</translation>
+      <translation>Importieren</translation>
     </message>
     <message>
       <source>Which bag do the sherds of %1 come from?</source>
@@ -32,7 +32,7 @@
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf dem Datenträger sind nur noch %1 MB frei; ein Durchgang braucht mehr. Nichts ist verloren: Platz schaffen, dann weitermachen.</translation>
+      <translation>Auf dem Datenträger sind nur noch %1 MB frei; ein Durchgang braucht mehr. Nichts ist verloren: Platz schaffen, dann fortsetzen.</translation>
     </message>
     <message>
       <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
@@ -55,7 +55,7 @@
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Während der Durchgang berechnet wurde, wurden Paare entschieden oder Masken bearbeitet. Dafür neu verarbeiten.</translation>
+      <translation>Während der Durchgang verarbeitet wurde, wurden Paare entschieden oder Masken bearbeitet. Dafür neu verarbeiten.</translation>
     </message>
 </context>
 <context>
@@ -483,7 +483,7 @@
     <message>
       <source>The photograph is not there any more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Aufnahme ist nicht mehr da.</translation>
+      <translation>Das Foto ist nicht mehr da.</translation>
     </message>
     <message>
       <source>The printer or file cannot be written; choose another.</source>
@@ -729,7 +729,7 @@
     <message>
         <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Keine Vorderseite hat diese Rückseite. Auf ihre Vorderseite ziehen, mit einer anderen zusammenführen oder zur Seite legen.</translation>
+        <translation>Keine Vorderseite hat diese Rückseite. Auf ihre Vorderseite ziehen, mit einer anderen zusammenführen oder beiseitelegen.</translation>
     </message>
     <message>
         <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
@@ -779,7 +779,7 @@
     <message>
         <source>Set aside</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Zur Seite gelegt</translation>
+        <translation>Beiseitegelegt</translation>
     </message>
     <message>
         <source>Reshoot</source>
@@ -814,7 +814,7 @@
     <message>
         <source>The two scans share only %1 of the fracture.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die beiden Scans haben nur %1 der Bruchkante gemeinsam.</translation>
+        <translation>Die beiden Scans haben nur %1 des Bruchs gemeinsam.</translation>
     </message>
     <message>
       <source>no number yet</source>
@@ -920,7 +920,7 @@
     <message>
       <source>Import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen von %1</translation>
+      <translation>Import von %1</translation>
     </message>
     <message>
       <source>The copy cannot be put in its place: %1.</source>
@@ -1013,14 +1013,14 @@
       <source>%1; %n photographed again since</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-            <numerusform>%1; %n seither noch einmal aufgenommen</numerusform>
-            <numerusform>%1; %n seither noch einmal aufgenommen</numerusform>
+            <numerusform>%1; %n seither neu aufgenommen</numerusform>
+            <numerusform>%1; %n seither neu aufgenommen</numerusform>
         </translation>
     </message>
     <message>
         <source>Set aside</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Zur Seite gelegt</translation>
+        <translation>Beiseitegelegt</translation>
     </message>
     <message>
         <source>Capturing</source>
@@ -1269,7 +1269,7 @@
     <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abbrechen und zurücknehmen</translation>
+      <translation>Abbrechen und rückgängig machen</translation>
     </message>
 </context>
 <context>
@@ -1341,8 +1341,8 @@
       <source>%1: %n file(s) imported; it is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1: eine Datei eingelesen; der Durchgang ist in der Warteschlange.</numerusform>
-        <numerusform>%1: %n Dateien eingelesen; der Durchgang ist in der Warteschlange.</numerusform>
+        <numerusform>%1: eine Datei importiert; der Durchgang ist in der Warteschlange.</numerusform>
+        <numerusform>%1: %n Dateien importiert; der Durchgang ist in der Warteschlange.</numerusform>
       </translation>
     </message>
     <message>
@@ -1353,12 +1353,12 @@
     <message>
       <source>Import photographs…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotos einlesen…</translation>
+      <translation>Fotos importieren…</translation>
     </message>
     <message>
       <source>Import scans…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scans einlesen…</translation>
+      <translation>Scans importieren…</translation>
     </message>
     <message>
       <source>Camera %1</source>
@@ -1418,7 +1418,7 @@
     <message>
       <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde eingelesen. Um alle zu haben, alle einlesen und %1 in der Warteschlange beiseitelegen.</translation>
+      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Um alle zu haben, alle importieren und %1 in der Warteschlange beiseitelegen.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1493,7 +1493,7 @@
     <message>
         <source>%1 The rig that worked before stays in use.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 Die bisherige Anlage bleibt in Gebrauch.</translation>
+        <translation>%1 Der bisherige Messplatz bleibt in Gebrauch.</translation>
     </message>
     <message>
       <source>Stop</source>
@@ -1511,7 +1511,7 @@
     <message>
       <source>Photographs of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aufnahmen von %1</translation>
+      <translation>Fotos von %1</translation>
     </message>
     <message>
       <source>Press the shutter of camera %1.</source>
@@ -1730,7 +1730,7 @@
     <message>
         <source>The rig does not open</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die Anlage lässt sich nicht öffnen</translation>
+        <translation>Der Messplatz lässt sich nicht öffnen</translation>
     </message>
     <message>
         <source>Taking calibration photographs</source>
@@ -1740,7 +1740,7 @@
     <message>
         <source>The virtual rig turns the sherds over</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die virtuelle Anlage wendet die Scherben</translation>
+        <translation>Der virtuelle Messplatz wendet die Scherben</translation>
     </message>
     <message>
         <source>Nothing to do by hand: shoot the backs.</source>
@@ -1770,7 +1770,7 @@
     <message>
         <source>Opening the rig…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Anlage wird geöffnet</translation>
+        <translation>Messplatz wird geöffnet …</translation>
     </message>
     <message>
         <source>Lighting OK</source>
@@ -1786,8 +1786,8 @@
       <source>The %n photograph(s) of this side so far are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Die bisherige Aufnahme dieser Seite ist gespeichert.</numerusform>
-        <numerusform>Die %n bisherigen Aufnahmen dieser Seite sind gespeichert.</numerusform>
+        <numerusform>Das bisherige Foto dieser Seite ist gespeichert.</numerusform>
+        <numerusform>Die %n bisherigen Fotos dieser Seite sind gespeichert.</numerusform>
       </translation>
     </message>
     <message>
@@ -1824,8 +1824,8 @@
       <source>%n photograph(s) saved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Eine Aufnahme gespeichert</numerusform>
-        <numerusform>%n Aufnahmen gespeichert</numerusform>
+        <numerusform>Ein Foto gespeichert</numerusform>
+        <numerusform>%n Fotos gespeichert</numerusform>
       </translation>
     </message>
     <message>
@@ -1917,12 +1917,12 @@
     <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Änderungen durch das Einlesen von %1</translation>
+      <translation>Änderungen durch den Import von %1</translation>
     </message>
     <message>
       <source>Imported %1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 eingelesen: %2</translation>
+      <translation>%1 importiert: %2</translation>
     </message>
     <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
@@ -1957,12 +1957,12 @@
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen</translation>
+      <translation>Import</translation>
     </message>
     <message>
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Einlesen von %1 brach nach %2 von %3 Zeilen ab; diese sind vollständig. Für den Rest noch einmal einlesen.</translation>
+      <translation>Der Import von %1 brach nach %2 von %3 Zeilen ab; diese sind vollständig. Für den Rest noch einmal importieren.</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -2022,7 +2022,7 @@
     <message>
       <source>Dismiss</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das nicht wieder melden</translation>
+      <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Void sherd</source>
@@ -2317,7 +2317,7 @@
     <message>
       <source>Exported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ausgegeben: %1</translation>
+      <translation>Exportiert: %1</translation>
     </message>
     <message>
       <source>Export</source>
@@ -2372,7 +2372,7 @@
     <message>
       <source>The photographs, unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Aufnahmen, unverändert</translation>
+      <translation>Die Fotos, unverändert</translation>
     </message>
     <message>
       <source>Where</source>
@@ -2628,7 +2628,7 @@
     <message>
       <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vollständige, vermessene 3D-Modelle von Scherben aus Aufnahmen beider Seiten.</translation>
+      <translation>Vollständige, vermessene 3D-Modelle von Scherben aus Fotos beider Seiten.</translation>
     </message>
     <message>
       <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
@@ -2656,7 +2656,7 @@
     <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>In den Katalog einlesen</translation>
+      <translation>In den Katalog importieren</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2666,7 +2666,7 @@
     <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fortschritt des Einlesens</translation>
+      <translation>Fortschritt des Imports</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2747,7 +2747,7 @@
     <message>
       <source>updated</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>verändert</translation>
+      <translation>aktualisiert</translation>
     </message>
     <message>
       <source>rejected</source>
@@ -2772,17 +2772,17 @@
     <message>
       <source>Effect of each row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was jede Zeile bewirken würde</translation>
+      <translation>Wirkung jeder Zeile</translation>
     </message>
     <message>
       <source>Save rejected rows…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abgelehntes speichern …</translation>
+      <translation>Abgelehnte Zeilen speichern …</translation>
     </message>
     <message>
       <source>Save rejected rows</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abgelehntes speichern</translation>
+      <translation>Abgelehnte Zeilen speichern</translation>
     </message>
     <message>
       <source>rejected.csv</source>
@@ -2838,12 +2838,12 @@
     <message>
       <source>Preview of an import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vorschau eines Einlesens</translation>
+      <translation>Vorschau eines Imports</translation>
     </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen</translation>
+      <translation>Import</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2856,7 +2856,7 @@
     <message>
       <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 neu, %2 verändert, %3 unverändert, %4 abgelehnt.</translation>
+      <translation>%1 neu, %2 aktualisiert, %3 unverändert, %4 abgelehnt.</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was imported.</source>
@@ -2882,7 +2882,7 @@
     <message>
       <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Welche Vorderseite gehört zu der von %1? Wählen Sie ihre Karte (Pfeile und Eingabe); ein Klick auf das Bild einer Rückseite verbindet die Rückseiten.</translation>
+      <translation>Welche Vorderseite gehört zu der von %1? Wählen Sie ihre Karte (Pfeile und Eingabe); ein Klick auf das Bild einer Rückseite führt die Rückseiten zusammen.</translation>
     </message>
 </context>
 <context>
@@ -3078,7 +3078,7 @@
     <message>
       <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es gibt noch keinen Beutel: beim Aufnehmen einen eintippen oder eine Befundtabelle einlesen.</translation>
+      <translation>Es gibt noch keinen Beutel: beim Aufnehmen einen eintippen oder eine Befundtabelle importieren.</translation>
     </message>
     <message numerus="yes">
       <source>%n label(s) are sent to the printer.</source>
@@ -3387,7 +3387,7 @@
     <message>
       <source>One of the two has no back to merge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine der beiden hat keine Rückseite, die sich anfügen ließe.</translation>
+      <translation>Eine der beiden hat keine Rückseite, die sich zusammenführen ließe.</translation>
     </message>
     <message>
       <source>refining the fit</source>
@@ -3415,7 +3415,7 @@
     <message>
       <source>Photographs of both sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aufnahmen beider Seiten</translation>
+      <translation>Fotos beider Seiten</translation>
     </message>
     <message>
       <source>Front %1, back %2</source>
@@ -3425,7 +3425,7 @@
     <message>
       <source>The photograph is not there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Aufnahme ist nicht da.</translation>
+      <translation>Das Foto ist nicht da.</translation>
     </message>
     <message>
       <source>front %1</source>
@@ -3605,7 +3605,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Anlage neu kalibrieren</translation>
+        <translation>Messplatz neu kalibrieren</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -3635,7 +3635,7 @@
     <message>
         <source>Set aside</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Zur Seite legen</translation>
+        <translation>Beiseitelegen</translation>
     </message>
     <message>
         <source>Cancel %1?</source>
@@ -3919,7 +3919,7 @@
     <message>
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 wurde als %2 in %3 neu aufgenommen und hat nun zwei Datensätze. Einen davon im Katalog für ungültig erklären oder das Fragment hier zur Seite legen.</translation>
+        <translation>%1 wurde als %2 in %3 neu aufgenommen und hat nun zwei Datensätze. Einen davon im Katalog für ungültig erklären oder das Fragment hier beiseitelegen.</translation>
     </message>
     <message>
       <source>%1 is queued; only what changed is reprocessed.</source>
@@ -3957,12 +3957,12 @@
     <message>
       <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert. Nach dem Neuverarbeiten hat die verbundene Scherbe keine Nummer, und %1 kein Fragment. Rückgängig trennt sie wieder.</translation>
+      <translation>Gespeichert. Nach dem Neuverarbeiten hat die zusammengeführte Scherbe keine Nummer, und %1 kein Fragment. Rückgängig trennt sie wieder.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert. Nach dem Neuverarbeiten behält die verbundene Scherbe die Nummer %1, und %2 hat kein Fragment. Rückgängig trennt sie wieder.</translation>
+      <translation>Gespeichert. Nach dem Neuverarbeiten behält die zusammengeführte Scherbe die Nummer %1, und %2 hat kein Fragment. Rückgängig trennt sie wieder.</translation>
     </message>
     <message>
       <source>%1 has no scale: no length shown here is in millimetres.</source>
@@ -3972,7 +3972,7 @@
     <message>
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert. Nach dem Neuverarbeiten geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig verbindet sie wieder.</translation>
+      <translation>Gespeichert. Nach dem Neuverarbeiten geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig führt sie wieder zusammen.</translation>
     </message>
 </context>
 <context>
@@ -4005,12 +4005,12 @@
     <message>
       <source>Import photographs…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotos einlesen…</translation>
+      <translation>Fotos importieren…</translation>
     </message>
     <message>
       <source>Import scans…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scans einlesen…</translation>
+      <translation>Scans importieren…</translation>
     </message>
     <message>
       <source>The virtual rig</source>
@@ -4040,7 +4040,7 @@
     <message>
       <source>&amp;Photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Aufnahmen</translation>
+      <translation>&amp;Fotos</translation>
     </message>
     <message>
       <source>%1 pixels wide</source>
@@ -4065,7 +4065,7 @@
     <message>
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bisherige Anlage behalten</translation>
+        <translation>Bisherigen Messplatz behalten</translation>
     </message>
 </context>
 <context>
@@ -4083,7 +4083,7 @@
     <message>
       <source>&amp;Licence of what is exported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Lizenz des Ausgegebenen</translation>
+      <translation>&amp;Lizenz des Exportierten</translation>
     </message>
     <message>
       <source>Who &amp;holds the rights</source>
@@ -4457,7 +4457,7 @@
     <message>
       <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Bildschirm hat kein OpenGL 3.2; die Scherbe lässt sich nicht räumlich zeigen. Alles andere geht; Aufnahmen und Umrisse stehen daneben.</translation>
+      <translation>Dieser Bildschirm hat kein OpenGL 3.2; die Scherbe lässt sich nicht räumlich zeigen. Alles andere geht; Fotos und Umrisse stehen daneben.</translation>
     </message>
 </context>
 <context>
@@ -4572,7 +4572,7 @@
     <message>
         <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Noch kein Projekt. Legen Sie eines an, oder probieren Sie alles mit der virtuellen Anlage: sie zerbricht ein Gefäß und fotografiert die Scherben.</translation>
+        <translation>Noch kein Projekt. Legen Sie eines an, oder probieren Sie alles mit dem virtuellen Messplatz: er zerbricht ein Gefäß und fotografiert die Scherben.</translation>
     </message>
     <message>
         <source>Create project</source>
@@ -4612,7 +4612,7 @@
     <message>
       <source>Photographs of this side</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aufnahmen dieser Seite</translation>
+      <translation>Fotos dieser Seite</translation>
     </message>
     <message>
       <source>%1 of %2 positions done</source>
@@ -4762,12 +4762,12 @@
     <message>
       <source>Next photograph</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nächste Aufnahme</translation>
+      <translation>Nächstes Foto</translation>
     </message>
     <message>
       <source>Photograph</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aufnahme</translation>
+      <translation>Foto</translation>
     </message>
     <message>
       <source>Plate</source>
@@ -4782,7 +4782,7 @@
     <message>
         <source>Previous photograph</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Vorheriges Foto</translation>
+        <translation>Voriges Foto</translation>
     </message>
     <message>
         <source>Reprocess</source>
@@ -4818,7 +4818,7 @@
     <message>
       <source>Photograph with its mask</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aufnahme mit ihrer Maske</translation>
+      <translation>Foto mit seiner Maske</translation>
     </message>
     <message>
       <source>The arrows move the brush, Space paints, plus and minus enlarge and reduce.</source>
@@ -5039,12 +5039,12 @@
     <message>
       <source>How far the import is</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wie weit das Einlesen ist</translation>
+      <translation>Wie weit der Import ist</translation>
     </message>
     <message>
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Einlesen anhalten</translation>
+      <translation>Den Import anhalten</translation>
     </message>
 </context>
 <context>
@@ -5103,37 +5103,37 @@
     <message>
       <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte der Platte: auseinanderrücken und noch einmal aufnehmen.</translation>
+      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte der Platte: auseinanderrücken und neu aufnehmen.</translation>
     </message>
     <message>
       <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was bei %1 von der Mitte der Platte liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und noch einmal aufnehmen.</translation>
+      <translation>Was bei %1 von der Mitte der Platte liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und neu aufnehmen.</translation>
     </message>
     <message>
       <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Rückseite sieht aus wie die Vorderseite: die Scherben umdrehen und noch einmal aufnehmen.</translation>
+      <translation>Die Rückseite sieht aus wie die Vorderseite: die Scherben umdrehen und neu aufnehmen.</translation>
     </message>
     <message>
       <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor die Platte abgeräumt wird.</translation>
+      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder vergleichen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
       <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor die Platte abgeräumt wird.</translation>
+      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder vergleichen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vorn waren %1 Scherben zu sehen, hinten %2: die fehlende suchen, bevor die Platte abgeräumt wird.</translation>
+      <translation>Die Vorderseite zeigte %1 Scherben, die Rückseite %2: die fehlende suchen, bevor die Platte abgeräumt wird.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vorn waren %1 Scherben zu sehen, hinten %2: kam eine hinzu, oder zerbrach eine?</translation>
+      <translation>Die Vorderseite zeigte %1 Scherben, die Rückseite %2: prüfen, ob eine hinzukam oder zerbrach.</translation>
     </message>
 </context>
 <context>
@@ -5141,7 +5141,7 @@
     <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf Wunsch angehalten.</translation>
+      <translation>Abgebrochen.</translation>
     </message>
     <message>
       <source>The camera is not plugged in.</source>
@@ -5156,7 +5156,7 @@
     <message>
       <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Kamera antwortet nicht; schläft sie? Ihre automatische Abschaltung ausschalten.</translation>
+      <translation>Die Kamera antwortet nicht und schläft vielleicht. Ihre automatische Abschaltung ausschalten.</translation>
     </message>
     <message>
       <source>The camera stays busy; switch it off and on.</source>
@@ -5166,22 +5166,22 @@
     <message>
       <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Verbindung zur Kamera ist unterbrochen; ihr Kabel prüfen.</translation>
+      <translation>Die Verbindung zur Kamera ist ausgefallen; ihr Kabel prüfen.</translation>
     </message>
     <message>
       <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderes Programm hält die Kamera fest, oft die Dateiverwaltung; 'ostraka devices' nennt es.</translation>
+      <translation>Ein anderes Programm benutzt die Kamera, oft die Dateiverwaltung; 'ostraka devices' nennt es.</translation>
     </message>
     <message>
       <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Kamera lässt sich nicht öffnen; darf dieser Benutzer sie verwenden? Siehe 'ostraka devices'.</translation>
+      <translation>Die Kamera lässt sich nicht öffnen; die Rechte dieses Benutzers mit 'ostraka devices' prüfen.</translation>
     </message>
     <message>
       <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von der Kamera kam kein Foto; ist sie scharf gestellt und auf manuell?</translation>
+      <translation>Von der Kamera kam kein Foto; prüfen, ob sie scharf gestellt und auf manuell ist.</translation>
     </message>
     <message>
       <source>The camera does not stop sending photographs.</source>
@@ -5196,7 +5196,7 @@
     <message>
       <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch erreicht seinen Winkel nicht; ist er blockiert?</translation>
+      <translation>Der Drehtisch erreicht seinen Winkel nicht; prüfen, ob ihn etwas blockiert.</translation>
     </message>
     <message>
       <source>The turntable was paused with its own button.</source>
@@ -5206,7 +5206,7 @@
     <message>
       <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Stellung des Tisches ist unbekannt: nullen oder ausrichten.</translation>
+      <translation>Die Position des Drehtisches ist unbekannt: nullen oder ausrichten.</translation>
     </message>
     <message>
       <source>The turntable does not answer on the network.</source>
@@ -5216,22 +5216,22 @@
     <message>
       <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Steuerung ist neu gestartet; die Stellung des Tisches ist unbekannt.</translation>
+      <translation>Die Steuerung ist neu gestartet; die Position des Drehtisches ist unbekannt.</translation>
     </message>
     <message>
       <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Antwort des Drehtisches ging verloren, und er kann nicht sagen, wo er steht: nullen oder ausrichten.</translation>
+      <translation>Eine Antwort des Drehtisches ging verloren, und er kann seine Position nicht melden: nullen oder ausrichten.</translation>
     </message>
     <message>
       <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch antwortet nicht wie eine GRBL-Steuerung: ist er eingeschaltet und von dieser Art?</translation>
+      <translation>Der Drehtisch antwortet nicht wie eine GRBL-Steuerung; prüfen, ob er eingeschaltet und von dieser Art ist.</translation>
     </message>
     <message>
       <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch antwortet nicht wie ein ComXim: ist er eingeschaltet und von dieser Art?</translation>
+      <translation>Der Drehtisch antwortet nicht wie ein ComXim; prüfen, ob er eingeschaltet und von dieser Art ist.</translation>
     </message>
     <message>
       <source>USB does not work on this computer.</source>
@@ -5246,7 +5246,7 @@
     <message>
       <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Datenträger ist voll; Platz schaffen und dasselbe noch einmal beginnen.</translation>
+      <translation>Der Datenträger ist voll; Platz schaffen und noch einmal versuchen.</translation>
     </message>
     <message>
       <source>The disk is full; free some space, then try again. No data was lost.</source>
@@ -5256,7 +5256,7 @@
     <message>
       <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderes Programm hält den Katalog besetzt; es schließen und noch einmal versuchen.</translation>
+      <translation>Ein anderes Programm benutzt den Katalog; es schließen und noch einmal versuchen.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>
@@ -5266,27 +5266,27 @@
     <message>
       <source>&apos;%1&apos; is not a kind of context; use layer, cut, fill, structure, surface or unstratified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>„%1“ ist keine Art von Befund; möglich sind layer, cut, fill, structure, surface oder unstratified.</translation>
+      <translation>„%1“ ist keine Art von Befund; möglich sind layer, cut, fill, structure, surface und unstratified.</translation>
     </message>
     <message>
       <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fundorte und Schnitte, die es noch nicht gab: %1; nachsehen, dass keiner ein Schreibfehler ist.</translation>
+      <translation>Neue Fundorte und Schnitte: %1; auf Schreibfehler prüfen.</translation>
     </message>
     <message>
       <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ergebnisse dieses Durchgangs sind nicht mehr da; ihn noch einmal berechnen, dann entscheiden.</translation>
+      <translation>Die Ergebnisse dieses Durchgangs sind nicht mehr da; ihn neu verarbeiten, dann entscheiden.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ihre Fotos stammen von verschiedenen Kameras (%2); jeder Kamera einen eigenen Namen geben, denn für alle mit demselben wird ein Objektiv berechnet.</translation>
+      <translation>Kamera %1: ihre Fotos stammen von verschiedenen Kameras (%2); jeder Kamera einen eigenen Namen geben, denn Fotos mit demselben Kameranamen teilen sich eine Objektivkalibrierung.</translation>
     </message>
     <message>
       <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ihre Brennweite ist nicht in allen Fotos gleich (%2); für alle wird ein Objektiv berechnet, also den Zoom festsetzen und noch einmal fotografieren.</translation>
+      <translation>Kamera %1: ihre Brennweite ist nicht in allen Fotos gleich (%2); alle teilen sich eine Objektivkalibrierung, also den Zoom festsetzen und neu aufnehmen.</translation>
     </message>
     <message>
       <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
@@ -5311,7 +5311,7 @@
     <message>
       <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine Kamera erklärt die Kalibrierbilder.</translation>
+      <translation>Kein Kameramodell passt zu den Kalibrierbildern.</translation>
     </message>
     <message>
       <source>No photograph of this camera shows the plate's markers.</source>
@@ -5341,7 +5341,7 @@
     <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es wurde kein Körper gefunden, in dem die Fotos übereinstimmen; die Kameras prüfen oder Masken angeben.</translation>
+      <translation>Die Fotos zeigen keinen gemeinsamen Gegenstand; die Kameras prüfen oder Masken angeben.</translation>
     </message>
     <message>
       <source>Each photograph needs one pose.</source>
@@ -5351,12 +5351,12 @@
     <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Hülle braucht mindestens 3 Fotos; das Stück von mehr Seiten aufnehmen.</translation>
+      <translation>Eine Hülle braucht mindestens 3 Fotos; den Gegenstand aus mehr Richtungen aufnehmen.</translation>
     </message>
     <message>
       <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Kameras blicken nicht auf einen gemeinsamen Ort; ihre Lagen prüfen.</translation>
+      <translation>Die Kameras blicken nicht auf einen gemeinsamen Bereich; ihre Lagen prüfen.</translation>
     </message>
     <message>
       <source>The network needs an 8-bit colour photograph.</source>
@@ -5366,32 +5366,32 @@
     <message>
       <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es ist kein Maßstab angegeben, in dem gezeichnet werden soll.</translation>
+      <translation>Die Zeichnung braucht einen Maßstab.</translation>
     </message>
     <message>
       <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Vorschau wird zurückgenommen.</translation>
+      <translation>Die Vorschau wurde rückgängig gemacht.</translation>
     </message>
     <message>
       <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Archiv darf nicht im Projekt selbst liegen.</translation>
+      <translation>Ein Archiv muss außerhalb des Projektordners liegen.</translation>
     </message>
     <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Projekt wird in einem neuen oder leeren Ordner wiederhergestellt; einen anderen Namen wählen.</translation>
+      <translation>Zum Wiederherstellen eines Projekts ist ein neuer oder leerer Ordner nötig; einen anderen Namen wählen.</translation>
     </message>
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export einlesen.</translation>
+      <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export importieren.</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ort wählen oder die Zugriffsrechte prüfen.</translation>
+      <translation>Die Datei oder der Ordner lässt sich nicht schreiben (%1); einen anderen Ort wählen oder die Zugriffsrechte prüfen.</translation>
     </message>
     <message>
       <source>There is no such file; check its name.</source>
@@ -5406,12 +5406,12 @@
     <message>
       <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine gewöhnliche Datei; eine Datei nennen.</translation>
+      <translation>Das ist keine gewöhnliche Datei; eine Datei wählen.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Datei ist größer als die %1 Bytes, die hier gelesen werden; ist es die richtige?</translation>
+      <translation>Die Datei ist größer als die Grenze von %1 Bytes; prüfen, ob es die richtige ist.</translation>
     </message>
     <message>
       <source>The file cannot be read (%1); copy it again.</source>
@@ -5421,7 +5421,7 @@
     <message>
       <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier schreibt gerade ein anderer Lauf; sein Ende abwarten oder einen anderen Ordner wählen.</translation>
+      <translation>Ein anderer Lauf schreibt in diesen Ordner; sein Ende abwarten oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
       <source>The JSON text is larger than 64 MiB.</source>
@@ -5436,12 +5436,12 @@
     <message>
       <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist kein gültiges JSON (Zeile %1); dort ausbessern oder die Datei noch einmal kopieren.</translation>
+      <translation>Das ist kein gültiges JSON (Zeile %1); diese Zeile berichtigen oder die Datei noch einmal kopieren.</translation>
     </message>
     <message>
       <source>The JSON contains a number that is too large; correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das JSON enthält eine zu große Zahl; ausbessern.</translation>
+      <translation>Das JSON enthält eine zu große Zahl; sie berichtigen.</translation>
     </message>
     <message>
       <source>A transform must be a 4x4 matrix.</source>
@@ -5461,7 +5461,7 @@
     <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diesen Ordner gibt es nicht; den Ordner eines Durchgangs nennen.</translation>
+      <translation>Diesen Ordner gibt es nicht; den Ordner eines Durchgangs wählen.</translation>
     </message>
     <message>
       <source>The front side is missing; put its photographs into the folder '%1'.</source>
@@ -5476,12 +5476,12 @@
     <message>
       <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist kein Durchgang: Es fehlen die Ordner 'front' und 'back' (oder 'top_images' und 'bottom_images'); den Ordner eines Durchgangs nennen.</translation>
+      <translation>Das ist kein Ordner eines Durchgangs: Es fehlen die Ordner 'front' und 'back' (oder 'top_images' und 'bottom_images'); den Ordner eines Durchgangs wählen.</translation>
     </message>
     <message>
       <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Name hat nicht die Form %1; dieses Foto wird ausgelassen.</translation>
+      <translation>Der Dateiname hat nicht die Form %1; dieses Foto wird ausgelassen.</translation>
     </message>
     <message>
       <source>Another photograph has the same camera and position; this one is left out.</source>
@@ -5496,17 +5496,17 @@
     <message>
       <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier fehlen Fotos: %1 und %2 weitere; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
+      <translation>Es fehlen Fotos: %1 und %2 weitere. Flächen, die nur sie zeigen, werden ergänzt; wenn es darauf ankommt, noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier fehlen Fotos: %1; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
+      <translation>Es fehlen Fotos: %1. Flächen, die nur sie zeigen, werden ergänzt; wenn es darauf ankommt, noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Name ist der eines Fotos aus einem Aufbau, die meisten anderen sind es nicht; dieses Foto wird ausgelassen.</translation>
+      <translation>Dieser Dateiname ist wie der eines Fotos vom Messplatz gebildet, die meisten anderen sind es nicht; dieses Foto wird ausgelassen.</translation>
     </message>
     <message>
       <source>Another photograph has the same name; this one is left out.</source>
@@ -5536,17 +5536,17 @@
     <message>
       <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>In diesem Ordner sind weder Fotos noch die Ordner „front“ und „back“ eines Durchgangs; einen Ordner mit Fotos nennen.</translation>
+      <translation>In diesem Ordner sind weder Fotos noch die Ordner „front“ und „back“ eines Durchgangs; einen Ordner mit Fotos wählen.</translation>
     </message>
     <message>
       <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diesen Ordner gibt es nicht; einen mit den Fotos einer Seite nennen.</translation>
+      <translation>Diesen Ordner gibt es nicht; einen mit den Fotos einer Seite wählen.</translation>
     </message>
     <message>
       <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Ordner wurde für Vorder- und Rückseite genannt; den Ordner jeder Seite nennen.</translation>
+      <translation>Derselbe Ordner wurde für Vorder- und Rückseite genannt; den Ordner jeder Seite wählen.</translation>
     </message>
     <message>
       <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
@@ -5566,27 +5566,27 @@
     <message>
       <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das RAW-Bild ist beschädigt oder von einer unbekannten Kamera; noch einmal kopieren oder als TIFF exportieren.</translation>
+      <translation>Das RAW-Bild ist beschädigt, oder seine Kamera wird nicht unterstützt; noch einmal kopieren oder als TIFF exportieren.</translation>
     </message>
     <message>
       <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Seite eines Markers muss zwischen 0,5 und 1000 mm liegen; ein schwarzes Quadrat auf dem Papier messen.</translation>
+      <translation>Die Seite einer Marke muss zwischen 0,5 und 1000 mm liegen; ein schwarzes Quadrat auf dem Papier messen.</translation>
     </message>
     <message>
       <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>In diesen %2 Fotos wird kein Bogen mit mindestens %1 Markern aus OpenCVs Wörterbüchern gelesen; Fotos aufnehmen, die mehr davon zeigen, oder seine plate.json nennen.</translation>
+      <translation>In diesen %2 Fotos wurde kein Bogen mit mindestens %1 Marken aus OpenCVs Wörterbüchern gefunden; Fotos aufnehmen, die mehr vom Bogen zeigen, oder seine plate.json nennen.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 mit Seiten von %3 mm wurden in den Fotos gefunden (%4 px) und dafür genommen. Den Abstand zweier weit auseinanderliegender Marker messen und mit plate.json im Ergebnisordner vergleichen.</translation>
+      <translation>Keine plate.json beschreibt den Bogen: %1 Marken aus %2 mit Seiten von %3 mm wurden in den Fotos gefunden (%4 px) und dafür genommen. Den Abstand zweier weit auseinanderliegender Marken messen und mit plate.json im Ausgabeordner vergleichen.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine plate.json beschreibt den Bogen: %1 Marker aus %2 wurden in den Fotos gefunden (%3 px), ihre Größe ist nicht bekannt, daher hat das Ergebnis keinen Maßstab. Die Seite des schwarzen Quadrats eines Markers messen und mit --marker-mm angeben.</translation>
+      <translation>Keine plate.json beschreibt den Bogen: %1 Marken aus %2 wurden in den Fotos gefunden (%3 px), ihre Größe ist nicht bekannt, daher hat das Ergebnis keinen Maßstab. Die Seite des schwarzen Quadrats einer Marke messen und mit --marker-mm angeben.</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -5641,7 +5641,7 @@
     <message>
       <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das JPEG-Bild enthält kein Bild.</translation>
+      <translation>Die JPEG-Datei enthält kein Bild.</translation>
     </message>
     <message>
       <source>The PNG image is damaged; copy it again.</source>
@@ -5651,7 +5651,7 @@
     <message>
       <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Im TIFF-Bild steht keine Größe.</translation>
+      <translation>Die TIFF-Datei nennt keine Bildgröße.</translation>
     </message>
     <message>
       <source>The file is empty; copy it from the camera again.</source>
@@ -5706,22 +5706,22 @@
     <message>
       <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Einheit der Platte muss mm sein; die Datei der Platte neu erzeugen.</translation>
+      <translation>Die Einheit der Platte muss mm sein; die Plattendatei neu erzeugen.</translation>
     </message>
     <message>
       <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Platte nennt mehr als 1024 Marken.</translation>
+      <translation>Die Plattendatei nennt mehr als 1024 Marken.</translation>
     </message>
     <message>
       <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Platte braucht 'dictionary' und 'markers' mit einer id und vier Ecken zu je drei Zahlen; 'diameter' ist, wenn angegeben, eine Zahl in mm.</translation>
+      <translation>Die Plattendatei braucht 'dictionary' und 'markers' mit einer id und vier Ecken zu je drei Zahlen; 'diameter' ist, wenn angegeben, eine Zahl in mm, 'sheet' Breite und Höhe des Papiers.</translation>
     </message>
     <message>
       <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Platte nennt keine Marke.</translation>
+      <translation>Die Plattendatei nennt keine Marke.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate has no valid corners.</source>
@@ -5741,32 +5741,32 @@
     <message>
       <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ordner für den Durchgang wählen oder seine Zugriffsrechte prüfen.</translation>
+      <translation>Das lässt sich nicht schreiben (%1); einen anderen Ordner für den Durchgang wählen oder seine Zugriffsrechte prüfen.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; einen anderen Durchgang nennen.</translation>
+      <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; einen anderen Durchgangsnamen wählen.</translation>
     </message>
     <message>
       <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Durchgang wurde auf einer anderen Platte begonnen: mit jener weitermachen oder einen anderen Durchgang beginnen.</translation>
+      <translation>Dieser Durchgang wurde auf einer anderen Platte begonnen; mit jener Platte weitermachen oder einen neuen Durchgang beginnen.</translation>
     </message>
     <message>
       <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Durchgang wurde mit %1 Kameras und %2 Positionen begonnen, nicht mit %3 und %4; einen anderen Ordner nennen.</translation>
+      <translation>Dieser Durchgang wurde mit %1 Kameras und %2 Positionen begonnen, nicht mit %3 und %4; einen anderen Ordner wählen.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Foto wurde seit der Aufnahme verändert; das Original zurücklegen oder einen anderen Ordner für den Durchgang nennen.</translation>
+      <translation>Das Foto wurde seit der Aufnahme verändert; das Original zurücklegen oder einen anderen Ordner für den Durchgang wählen.</translation>
     </message>
     <message>
       <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Foto wurde nicht hier aufgenommen; einen anderen Ordner für den Durchgang nennen.</translation>
+      <translation>Dieses Foto gehört nicht zu diesem Durchgang; einen anderen Ordner für den Durchgang wählen.</translation>
     </message>
     <message>
       <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
@@ -5776,7 +5776,7 @@
     <message>
       <source>%1 is %2, but the rig specifies %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ist %2, der Messplatz sagt %3</translation>
+      <translation>%1 ist %2, der Messplatz gibt %3 vor</translation>
     </message>
     <message>
       <source>%1 is %2, but the first photograph used %3</source>
@@ -5796,22 +5796,22 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch sagt nicht, wo er steht.</translation>
+      <translation>Der Drehtisch meldet seine Position nicht.</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch hat einen Befehl abgelehnt (Fehler %1): falsche Art von Tisch oder schlechtes Kabel.</translation>
+      <translation>Der Drehtisch hat einen Befehl abgelehnt (Fehler %1): falsche Art von Drehtisch oder schlechtes Kabel.</translation>
     </message>
     <message>
       <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Geschwindigkeit des Tisches muss größer als 0 sein.</translation>
+      <translation>Die Geschwindigkeit des Drehtisches muss größer als 0 sein.</translation>
     </message>
     <message>
       <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Verbindung zum Drehtisch ist unterbrochen (%1).</translation>
+      <translation>Die Verbindung zum Drehtisch ist ausgefallen (%1).</translation>
     </message>
     <message>
       <source>it is not open</source>
@@ -5821,7 +5821,7 @@
     <message>
       <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>nimmt keine Bytes mehr an</translation>
+      <translation>nimmt keine Daten mehr an</translation>
     </message>
     <message>
       <source>it was closed at the other end</source>
@@ -5841,7 +5841,7 @@
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Den seriellen Anschluss gibt es nicht; ist der Drehtisch angeschlossen und eingeschaltet?</translation>
+      <translation>Den seriellen Anschluss gibt es nicht; prüfen, ob der Drehtisch angeschlossen und eingeschaltet ist.</translation>
     </message>
     <message>
       <source>Not a serial port.</source>
@@ -5861,7 +5861,7 @@
     <message>
       <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein serieller Anschluss kann nicht mit %1 Baud arbeiten; üblich sind 9600 und 115200.</translation>
+      <translation>Ein serieller Anschluss unterstützt %1 Baud nicht; üblich sind 9600 und 115200.</translation>
     </message>
     <message>
       <source>A network address looks like 192.168.0.7:23.</source>
@@ -5886,7 +5886,7 @@
     <message>
       <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>In %1 Sekunden kam kein neues Foto; schreibt das Programm der Kamera in diesen Ordner?</translation>
+      <translation>In %1 Sekunden kam kein neues Foto; prüfen, ob das Programm der Kamera in diesen Ordner schreibt.</translation>
     </message>
     <message>
       <source>The watched folder cannot be read (%1).</source>
@@ -5896,7 +5896,7 @@
     <message>
       <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Für eine Aufnahme kamen zwei Fotos, %1 und %2; eine Kamera je Ordner, ein Foto je Position.</translation>
+      <translation>Für eine Aufnahme kamen zwei Fotos, %1 und %2; einen Ordner je Kamera und ein Foto je Position verwenden.</translation>
     </message>
     <message>
       <source>The camera with this serial number is not plugged in; found: %1.</source>
@@ -5926,7 +5926,7 @@
     <message>
       <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Tisch hat keinen Nullschalter.</translation>
+      <translation>Der Drehtisch hat keinen Nullschalter.</translation>
     </message>
     <message>
       <source>It did not answer while homing.</source>
@@ -5941,7 +5941,7 @@
     <message>
       <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Er hat nicht geantwortet, als ausgelöst werden sollte.</translation>
+      <translation>Er hat auf den Auslösebefehl nicht geantwortet.</translation>
     </message>
     <message>
       <source>The turntable does not answer.</source>
@@ -5961,7 +5961,7 @@
     <message>
       <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Steuerung zählt von vorn; die Stellung des Tisches ist unbekannt.</translation>
+      <translation>Die Steuerung hat ihre Zählung zurückgesetzt; die Position des Drehtisches ist unbekannt.</translation>
     </message>
     <message>
       <source>The turntable does not move.</source>
@@ -5981,12 +5981,12 @@
     <message>
       <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Tisch wurde in der Bewegung angehalten, seine Stellung ist verloren: die Nullmarke ausrichten (ALARM:%1).</translation>
+      <translation>Der Drehtisch wurde in der Bewegung angehalten, seine Position ist verloren: die Nullmarke ausrichten (ALARM:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Steuerung des Tisches sagt, die Drehung gehe über seinen Weg hinaus: $20 ausschalten (ALARM:%1).</translation>
+      <translation>Die Steuerung des Drehtisches meldet eine Drehung über seinen Weg hinaus: $20 ausschalten (ALARM:%1).</translation>
     </message>
     <message>
       <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
@@ -5996,7 +5996,7 @@
     <message>
       <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Steuerung des Tisches meldet einen Alarm (ALARM:%1).</translation>
+      <translation>Die Steuerung des Drehtisches meldet einen Alarm (ALARM:%1).</translation>
     </message>
     <message>
       <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
@@ -6006,32 +6006,32 @@
     <message>
       <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Tisch hat keinen Nullschalter (error:%1).</translation>
+      <translation>Der Drehtisch hat keinen Nullschalter (error:%1).</translation>
     </message>
     <message>
       <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Tisch bewegt sich noch (error:%1).</translation>
+      <translation>Der Drehtisch bewegt sich noch (error:%1).</translation>
     </message>
     <message>
       <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Tisch ist gesperrt: nullen oder entsperren (error:%1).</translation>
+      <translation>Der Drehtisch ist gesperrt: nullen oder entsperren (error:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Steuerung des Tisches hat einen Befehl abgelehnt (error:%1).</translation>
+      <translation>Die Steuerung des Drehtisches hat einen Befehl abgelehnt (error:%1).</translation>
     </message>
     <message>
       <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Den Tisch gegen den Uhrzeigersinn auf %1 Grad drehen und die Hand wegnehmen.</translation>
+      <translation>Den Drehtisch gegen den Uhrzeigersinn auf %1 Grad drehen und die Hand wegnehmen.</translation>
     </message>
     <message>
       <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Fotoliste von Ostraka; einen anderen Ordner für den Durchgang nennen.</translation>
+      <translation>Das ist keine Fotoliste von Ostraka; einen anderen Ordner für den Durchgang wählen.</translation>
     </message>
     <message>
       <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
@@ -6046,7 +6046,7 @@
     <message>
       <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Messplatz nennt keine Geräte; 'ostraka devices' sagt, was angeschlossen ist und wie es dort einzutragen ist.</translation>
+      <translation>Der Messplatz nennt keine Geräte; 'ostraka devices' sagt, was angeschlossen ist und wie es im Messplatz einzutragen ist.</translation>
     </message>
     <message>
       <source>The rig names no camera.</source>
@@ -6061,7 +6061,7 @@
     <message>
       <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Teil 'devices' lässt sich nicht lesen; mit dem Kapitel über Geräte im README vergleichen.</translation>
+      <translation>Der Teil 'devices' lässt sich nicht lesen; mit docs/devices.md vergleichen.</translation>
     </message>
     <message>
       <source>The number of positions must be between 3 and 99.</source>
@@ -6081,12 +6081,12 @@
     <message>
       <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 dieses Durchgangs war %2, die hier ist %3; mit den Kameras weitermachen, die sie begonnen haben, oder einen anderen Ordner nennen.</translation>
+      <translation>Kamera %1 dieses Durchgangs war %2, angeschlossen ist %3; mit den ursprünglichen Kameras weitermachen oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
       <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Stellung des Tisches ist unbekannt: seine Nullmarke nach vorn drehen und den Nullpunkt setzen.</translation>
+      <translation>Die Position des Drehtisches ist unbekannt: seine Nullmarke nach vorn drehen und den Nullpunkt setzen.</translation>
     </message>
     <message>
       <source>Camera %1, position %2 failed %3 times: %4.</source>
@@ -6101,7 +6101,7 @@
     <message>
       <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch antwortet nicht als %1; ist es ein anderer?</translation>
+      <translation>Der Drehtisch antwortet nicht als %1; seine Art prüfen.</translation>
     </message>
     <message>
       <source>Marlin controller</source>
@@ -6116,12 +6116,12 @@
     <message>
       <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Tisch hat keinen Nullschalter: nach Augenmaß ausrichten.</translation>
+      <translation>Dieser Drehtisch hat keinen Nullschalter: nach Augenmaß ausrichten.</translation>
     </message>
     <message>
       <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch lehnt ab: %1.</translation>
+      <translation>Der Drehtisch lehnt den Befehl ab: %1.</translation>
     </message>
     <message>
       <source>The turntable is at %1 degrees instead of %2.</source>
@@ -6131,37 +6131,37 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Wörter des Drehtisches: 'move' muss {target} oder {by} enthalten.</translation>
+      <translation>Der Dialekt des Drehtisches: 'move' muss {target} oder {by} enthalten.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Wörter des Drehtisches: 'accepted' muss sagen, wie er antwortet.</translation>
+      <translation>Der Dialekt des Drehtisches: 'accepted' muss seine Antwort beschreiben.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Wörter des Drehtisches: 'query' und 'position' gehören zusammen.</translation>
+      <translation>Der Dialekt des Drehtisches: 'query' und 'position' müssen zusammen angegeben werden.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Wörter des Drehtisches: 'reply_s' muss größer als 0 sein.</translation>
+      <translation>Der Dialekt des Drehtisches: 'reply_s' muss größer als 0 sein.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Wörter des Drehtisches: '%1' ist kein regulärer Ausdruck.</translation>
+      <translation>Der Dialekt des Drehtisches: '%1' ist kein regulärer Ausdruck.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Wörter des Drehtisches: 'position' braucht eine Gruppe für den Winkel.</translation>
+      <translation>Der Dialekt des Drehtisches: 'position' braucht eine Gruppe für den Winkel.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'dialect' des Drehtisches muss "marlin" sein oder seine Wörter nennen.</translation>
+      <translation>'dialect' des Drehtisches muss &quot;marlin&quot; sein oder ein Objekt mit seinen Befehlen.</translation>
     </message>
     <message>
       <source>The turntable is not plugged in.</source>
@@ -6211,7 +6211,7 @@
     <message>
       <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Videokamera lässt sich nicht öffnen: ist sie angeschlossen, und benutzt kein anderes Programm sie?</translation>
+      <translation>Die Videokamera lässt sich nicht öffnen; prüfen, ob sie angeschlossen ist und kein anderes Programm sie benutzt.</translation>
     </message>
     <message>
       <source>The video camera cannot be opened.</source>
@@ -6251,7 +6251,7 @@
     <message>
       <source>The video camera must be named.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Videokamera muss genannt sein.</translation>
+      <translation>Die Videokamera muss benannt sein.</translation>
     </message>
     <message>
       <source>the file is truncated or not a picture</source>
@@ -6271,7 +6271,7 @@
     <message>
       <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>zu wenige Marken sind zu sehen, um die Position zu erkennen: liegt etwas davor, ist es unscharf?</translation>
+      <translation>zu wenige Marken sind zu sehen, um die Position zu erkennen: prüfen, ob etwas davor liegt und ob das Bild scharf ist</translation>
     </message>
     <message>
       <source>the camera delivered an earlier photograph again</source>
@@ -6281,12 +6281,12 @@
     <message>
       <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>zu wenige Marken der Platte sind zu sehen: liegt etwas davor?</translation>
+      <translation>zu wenige Marken der Platte sind zu sehen: prüfen, ob etwas davor liegt</translation>
     </message>
     <message>
       <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>es ist unscharf: bewegte sich der Tisch noch, hat sich der Fokus geändert?</translation>
+      <translation>das Bild ist unscharf: prüfen, ob der Drehtisch stillsteht und der Fokus unverändert ist</translation>
     </message>
     <message>
       <source>the sherds are too dark: add light or increase the exposure time</source>
@@ -6306,7 +6306,7 @@
     <message>
       <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Einstellungen der Kamera sind andere als zuvor: zurückstellen</translation>
+      <translation>die Einstellungen der Kamera haben sich geändert: zurückstellen</translation>
     </message>
     <message>
       <source>%1: restore it</source>
@@ -6361,17 +6361,17 @@
     <message>
       <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>eine Zeile von %1 verweist auf nichts</translation>
+      <translation>eine Zeile von %1 verweist auf eine fehlende Zeile</translation>
     </message>
     <message>
       <source>the sherd tables are inconsistent</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Tabellen der Scherben passen nicht zusammen</translation>
+      <translation>die Tabellen der Scherben widersprechen sich</translation>
     </message>
     <message>
       <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Suche kennt nicht alle Scherben</translation>
+      <translation>das Suchverzeichnis ist unvollständig</translation>
     </message>
     <message>
       <source>The backup does not contain the saved data; try again.</source>
@@ -6391,12 +6391,12 @@
     <message>
       <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Datenträger antwortet nicht richtig; ihn prüfen, dann das Projekt neu öffnen.</translation>
+      <translation>Der Datenträger meldet Fehler; ihn prüfen, dann das Projekt neu öffnen.</translation>
     </message>
     <message>
       <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Katalog nimmt das nicht an (%1).</translation>
+      <translation>Der Katalog lehnt diesen Vorgang ab (%1).</translation>
     </message>
     <message>
       <source>The scan is not a front of this batch.</source>
@@ -6441,12 +6441,12 @@
     <message>
       <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Entwurf aus gröberen Fotos; den Durchgang noch einmal berechnen, damit die Maße gelten.</translation>
+      <translation>Das ist ein Entwurf aus verkleinerten Fotos; den Durchgang für endgültige Maße neu verarbeiten.</translation>
     </message>
     <message>
       <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das sind keine vollständigen Ergebnisse von 'ostraka process'; es noch einmal laufen lassen.</translation>
+      <translation>Diese Ergebnisse von 'ostraka process' sind unvollständig; es noch einmal laufen lassen.</translation>
     </message>
     <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
@@ -6516,12 +6516,12 @@
     <message>
       <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur Maße werden mit &lt; und &gt; verglichen; %1:value schreiben.</translation>
+      <translation>Nur Maße nehmen &lt; und &gt; an; %1:value schreiben.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Filter ist kein lesbarer Text.</translation>
+      <translation>Der Filter ist kein gültiger Text.</translation>
     </message>
     <message>
       <source>There is no field '%1'.</source>
@@ -6541,12 +6541,12 @@
     <message>
       <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Maß liegt nie unter 0.</translation>
+      <translation>Ein Maß kann nicht kleiner als 0 sein.</translation>
     </message>
     <message>
       <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Projekt wurde mit einem neueren Ostraka angelegt (Katalogversion %1, dieses Programm kennt %2); jenes installieren, nichts wurde verändert.</translation>
+      <translation>Ein neueres Ostraka hat dieses Projekt angelegt (Katalogversion %1, dieses Programm unterstützt %2). Nichts wurde geändert. Die neuere Version installieren.</translation>
     </message>
     <message>
       <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
@@ -6646,12 +6646,12 @@
     <message>
       <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Verbunden werden zwei oder mehr Stücke.</translation>
+      <translation>Zum Zusammenführen sind zwei oder mehr Fragmente nötig.</translation>
     </message>
     <message>
       <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geteilt wird ein Stück.</translation>
+      <translation>Geteilt wird genau ein Fragment.</translation>
     </message>
     <message>
       <source>The name of a person must not be empty.</source>
@@ -6726,12 +6726,12 @@
     <message>
       <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Breite liegt zwischen -90 und 90 Grad.</translation>
+      <translation>Die geografische Breite muss zwischen -90 und 90 Grad liegen.</translation>
     </message>
     <message>
       <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Länge liegt zwischen -180 und 180 Grad.</translation>
+      <translation>Die geografische Länge muss zwischen -180 und 180 Grad liegen.</translation>
     </message>
     <message>
       <source>The site %1 already exists.</source>
@@ -6741,7 +6741,7 @@
     <message>
       <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Schnitt gehört zu einem Fundort.</translation>
+      <translation>Ein Schnitt braucht einen Fundort.</translation>
     </message>
     <message>
       <source>A trench cannot contain itself.</source>
@@ -6756,12 +6756,12 @@
     <message>
       <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Befund gehört zu einem Fundort.</translation>
+      <translation>Ein Befund braucht einen Fundort.</translation>
     </message>
     <message>
       <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Schnitt gehört zu einem anderen Fundort als der Befund.</translation>
+      <translation>Der Schnitt und der Befund gehören zu verschiedenen Fundorten.</translation>
     </message>
     <message>
       <source>The context %1 already exists in this place.</source>
@@ -6771,17 +6771,17 @@
     <message>
       <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Beutel gehört zu einem Befund.</translation>
+      <translation>Ein Beutel braucht einen Befund.</translation>
     </message>
     <message>
       <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Gewicht eines Beutels ist größer als 0 g.</translation>
+      <translation>Das Gewicht eines Beutels muss größer als 0 g sein.</translation>
     </message>
     <message>
       <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Anzahl liegt nie unter 0.</translation>
+      <translation>Eine Anzahl kann nicht kleiner als 0 sein.</translation>
     </message>
     <message>
       <source>The bag %1 already exists in this context.</source>
@@ -6791,7 +6791,7 @@
     <message>
       <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ordner liegt auf einer Netzfreigabe (%1), wo Kataloge beschädigt werden; einen Ordner auf dem eigenen Datenträger dieses Rechners nehmen und Sicherungen auf die Freigabe kopieren.</translation>
+      <translation>Der Ordner liegt auf einer Netzfreigabe (%1), was Kataloge beschädigen kann; einen Ordner auf dem eigenen Datenträger dieses Rechners nehmen und Sicherungen auf die Freigabe kopieren.</translation>
     </message>
     <message>
       <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
@@ -6821,7 +6821,7 @@
     <message>
       <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Feld %1 kommt vom Programm.</translation>
+      <translation>Das Feld %1 ist schreibgeschützt: Das Programm setzt es.</translation>
     </message>
     <message>
       <source>A void sherd keeps its number.</source>
@@ -6831,7 +6831,7 @@
     <message>
       <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Nummer enthält keinen Zeilenumbruch, keinen Tabulator und kein '%'.</translation>
+      <translation>Eine Nummer darf keinen Zeilenumbruch, keinen Tabulator und kein '%' enthalten.</translation>
     </message>
     <message>
       <source>A number has at most 120 characters.</source>
@@ -6866,27 +6866,27 @@
     <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was auf das Zeichen ± folgt, ist größer als 0, oder 0, wo keine Unsicherheit bekannt ist.</translation>
+      <translation>Nach ± einen Wert größer als 0 eingeben, oder 0, wenn die Unsicherheit unbekannt ist.</translation>
     </message>
     <message>
       <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Maß ist größer als 0.</translation>
+      <translation>Einen Wert größer als 0 eingeben.</translation>
     </message>
     <message>
       <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine Scherbe ist größer als 1000 mm; sind das Millimeter?</translation>
+      <translation>Keine Scherbe ist größer als 1000 mm; prüfen, ob der Wert in Millimetern ist.</translation>
     </message>
     <message>
       <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine Scherbe ist schwerer als 20 kg; sind das Gramm?</translation>
+      <translation>Keine Scherbe ist schwerer als 20 kg; prüfen, ob der Wert in Gramm ist.</translation>
     </message>
     <message>
       <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Anteil beträgt höchstens 100 %.</translation>
+      <translation>Ein Anteil kann 100 % nicht überschreiten.</translation>
     </message>
     <message>
       <source>There is no sherd %1 to join.</source>
@@ -6911,7 +6911,7 @@
     <message>
       <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Scherbe bekommt eine Nummer, wenn ihr Befund bekannt ist.</translation>
+      <translation>Eine Scherbe braucht ihren Befund, bevor sie eine Nummer bekommt.</translation>
     </message>
     <message>
       <source>The table cannot be sorted by &apos;%1&apos;.</source>
@@ -6936,7 +6936,7 @@
     <message>
       <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Scherbe ist aus einem Grund ungültig; ihn angeben.</translation>
+      <translation>Eine ungültige Scherbe braucht einen Grund; ihn eingeben.</translation>
     </message>
     <message>
       <source>The number %1 appears on two sherds of this plate.</source>
@@ -6966,17 +6966,17 @@
     <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Tag wird wie 2026-07-14 geschrieben (Jahr-Monat-Tag).</translation>
+      <translation>Den Tag wie 2026-07-14 schreiben (Jahr-Monat-Tag).</translation>
     </message>
     <message>
       <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Datierung wird in EDTF geschrieben, wie -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen.</translation>
+      <translation>Die Datierung in EDTF schreiben, zum Beispiel -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Munsell-Farbe wird wie 10YR 3/1 oder N 4/ geschrieben.</translation>
+      <translation>Die Munsell-Farbe wie 10YR 3/1 oder N 4/ schreiben.</translation>
     </message>
     <message>
       <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
@@ -7001,17 +7001,17 @@
     <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine PLY-Datei; eine nennen oder den Scan neu ausgeben.</translation>
+      <translation>Das ist keine PLY-Datei; eine wählen oder den Scan neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY header states no format; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der PLY-Kopf nennt kein Format; neu ausgeben.</translation>
+      <translation>Der PLY-Kopf nennt kein Format; neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY header has an error in line %1: %2; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der PLY-Kopf ist in Zeile %1 falsch: %2; neu ausgeben.</translation>
+      <translation>Der PLY-Kopf hat einen Fehler in Zeile %1: %2; die Datei neu exportieren.</translation>
     </message>
     <message>
       <source>its format is unknown</source>
@@ -7041,37 +7041,37 @@
     <message>
       <source>a line cannot be parsed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>eine Zeile ist unverständlich</translation>
+      <translation>eine Zeile lässt sich nicht auswerten</translation>
     </message>
     <message>
       <source>The PLY header has no end; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der PLY-Kopf hat kein Ende; neu ausgeben.</translation>
+      <translation>Der PLY-Kopf hat kein Ende; neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY header declares %1 of &apos;%2&apos;, more than the file contains; the file may be truncated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der PLY-Kopf nennt %1 '%2', mehr als die Datei enthält; sie ist wohl abgeschnitten.</translation>
+      <translation>Der PLY-Kopf nennt %1 '%2', mehr als die Datei enthält; sie ist vielleicht abgeschnitten.</translation>
     </message>
     <message>
       <source>The PLY file has two lists of vertices; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei hat zwei Punktlisten; neu ausgeben.</translation>
+      <translation>Die PLY-Datei hat zwei Punktlisten; neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY vertices lack x, y or z; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Den PLY-Punkten fehlt x, y oder z; neu ausgeben.</translation>
+      <translation>Den PLY-Punkten fehlt x, y oder z; neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY file ends early or contains a value that is not a number; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei endet zu früh oder enthält etwas, das keine Zahl ist; neu ausgeben.</translation>
+      <translation>Die PLY-Datei endet zu früh oder enthält etwas, das keine Zahl ist; neu exportieren.</translation>
     </message>
     <message>
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Fläche der PLY-Datei nennt einen Punkt, den es nicht gibt; neu ausgeben.</translation>
+      <translation>Eine Fläche der PLY-Datei nennt einen Punkt, den es nicht gibt; neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY file ends within its faces; copy it again.</source>
@@ -7086,42 +7086,42 @@
     <message>
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei hat keine Punkte; den Scan neu ausgeben.</translation>
+      <translation>Die PLY-Datei hat keine Punkte; den Scan neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei enthält mehr, als ihr Kopf nennt; neu ausgeben.</translation>
+      <translation>Die PLY-Datei enthält mehr, als ihr Kopf nennt; neu exportieren.</translation>
     </message>
     <message>
       <source>The PLY file contains no usable points; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei enthält keinen brauchbaren Punkt; den Scan neu ausgeben.</translation>
+      <translation>Die PLY-Datei enthält keinen brauchbaren Punkt; den Scan neu exportieren.</translation>
     </message>
     <message>
       <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Abschnitt der Kante kann ein Stück Rand sein; diese Scherbe als eine ohne Rand zeichnen.</translation>
+      <translation>Kein Abschnitt der Kante kann Rand sein; diese Scherbe ohne Rand zeichnen.</translation>
     </message>
     <message>
       <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); daher wird kein Durchmesser angegeben. Bitte prüfen, wie die Scherbe steht.</translation>
+      <translation>Die als Lippe angenommene Kante sieht kaum danach aus (%1 %), daher wird kein Durchmesser angegeben; die Ausrichtung der Scherbe prüfen.</translation>
     </message>
     <message>
       <source>The preserved rim is too short or too straight for a diameter; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Randstück ist für einen Durchmesser zu kurz oder zu gerade; bitte prüfen, wie die Scherbe steht.</translation>
+      <translation>Der erhaltene Rand ist für einen Durchmesser zu kurz oder zu gerade; die Ausrichtung der Scherbe prüfen.</translation>
     </message>
     <message>
       <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Als Rand gezeichnet, was wahrscheinlich ist (%1 %); nachprüfen.</translation>
+      <translation>Als Randstück gezeichnet, was wahrscheinlich ist (%1 %); nachprüfen.</translation>
     </message>
     <message>
       <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kann ein Rand sein (%1 %); wenn es einer ist, das angeben und neu zeichnen.</translation>
+      <translation>Das kann ein Randstück sein (%1 %); wenn ja, es so kennzeichnen und neu zeichnen.</translation>
     </message>
     <message>
       <source>The drawing's scale must lie between 1:20 and 5:1.</source>
@@ -7176,7 +7176,7 @@
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Inzwischen hat jemand einen Ordner dieses Namens angelegt; einen anderen Namen wählen.</translation>
+      <translation>Inzwischen wurde ein Ordner dieses Namens angelegt; einen anderen Namen wählen.</translation>
     </message>
     <message>
       <source>Not an Ostraka export: this folder has no bagit.txt.</source>
@@ -7211,12 +7211,12 @@
     <message>
       <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einen Befund %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
+      <translation>Einen Befund %1 gibt es nicht; ihn anlegen oder beim Import anlegen lassen.</translation>
     </message>
     <message>
       <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
+      <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Import anlegen lassen.</translation>
     </message>
     <message>
       <source>The column closed accepts yes or no.</source>
@@ -7241,7 +7241,7 @@
     <message>
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Datei ist kein Text: sie enthält binäre Daten, die keine Tabelle hat.</translation>
+      <translation>Das ist keine Textdatei: Sie enthält binäre Daten, die keine Tabelle hat.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
@@ -7256,12 +7256,12 @@
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeile %1 öffnet ein Anführungszeichen, das nie geschlossen wird.</translation>
+      <translation>Zeile %1 hat ein nicht geschlossenes Anführungszeichen.</translation>
     </message>
     <message>
       <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeile %1 hat Buchstaben hinter einem schließenden Anführungszeichen.</translation>
+      <translation>Zeile %1 hat Zeichen hinter einem schließenden Anführungszeichen.</translation>
     </message>
     <message>
       <source>Line %1 has a value longer than 1 MB.</source>
@@ -7276,7 +7276,7 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihren Durchgang berechnen.</translation>
+      <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihren Durchgang verarbeiten.</translation>
     </message>
     <message>
       <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
@@ -7286,27 +7286,27 @@
     <message>
       <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sie soll ein Rand sein, aber kein Abschnitt ihrer Kante kann einer sein; ohne Rand gezeichnet.</translation>
+      <translation>Die Scherbe ist als Randstück eingetragen, aber kein Abschnitt ihrer Kante kann Rand sein; sie wird ohne Rand gezeichnet.</translation>
     </message>
     <message>
       <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ist nicht da und wurde ausgelassen.</translation>
+      <translation>%1 fehlt und wurde ausgelassen.</translation>
     </message>
     <message>
       <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ist nicht das Foto, das eingetragen wurde; nachprüfen.</translation>
+      <translation>%1 weicht vom eingetragenen Foto ab; nachprüfen.</translation>
     </message>
     <message>
       <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Modell oder Bild der Scherbe %1 ist nicht das, das eingetragen wurde; ihren Durchgang %2 noch einmal berechnen.</translation>
+      <translation>Dieses Modell oder Bild der Scherbe %1 weicht vom eingetragenen ab; ihren Durchgang %2 neu verarbeiten.</translation>
     </message>
     <message>
       <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 geht unverkleinert mit: %2</translation>
+      <translation>%1 wird in voller Auflösung exportiert: %2</translation>
     </message>
     <message>
       <source>Not drawn: %1</source>
@@ -7321,7 +7321,7 @@
     <message>
       <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es gibt keine Scherbe zum Ausgeben; zuerst welche auswählen.</translation>
+      <translation>Keine Scherben zu exportieren; zuerst welche auswählen.</translation>
     </message>
     <message>
       <source>The row has neither a number nor a uuid.</source>
@@ -7341,7 +7341,7 @@
     <message>
       <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer gehört einer anderen Scherbe als die uuid.</translation>
+      <translation>Die Nummer und die uuid gehören zu verschiedenen Scherben.</translation>
     </message>
     <message>
       <source>A new sherd needs its context.</source>
@@ -7361,7 +7361,7 @@
     <message>
       <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Orte und Durchgänge sind nicht so geschrieben, wie Ostraka sie schreibt.</translation>
+      <translation>Diese Orte und Durchgänge sind nicht in Ostrakas Format.</translation>
     </message>
     <message>
       <source>Not a PLY file.</source>
@@ -7376,22 +7376,22 @@
     <message>
       <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Export enthält keine Datensätze (JSON) von Scherben; mit ihnen neu ausgeben.</translation>
+      <translation>Dieser Export enthält keine Datensätze (JSON) von Scherben; mit ihnen neu exportieren.</translation>
     </message>
     <message>
       <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Projekt hat diese Scherbe mit anderen Werten; sie bleiben, und was abweicht, wird daneben in Feldern behalten, die auf _in_%1 enden.</translation>
+      <translation>Das Projekt hat diese Scherbe mit anderen Werten und behält sie; was abweicht, wird in Feldern hinzugefügt, die auf _in_%1 enden.</translation>
     </message>
     <message>
       <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei ist nicht unter den Dateien des Exports.</translation>
+      <translation>Diese Datei gehört nicht zum Export.</translation>
     </message>
     <message>
       <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Projekt hat eine andere Datei dieses Namens; den Export umbenennen und noch einmal einlesen.</translation>
+      <translation>Das Projekt hat eine andere Datei dieses Namens; den Export umbenennen und noch einmal importieren.</translation>
     </message>
     <message>
       <source>Not a sherd record (ostraka-sherd/1).</source>
@@ -7406,7 +7406,7 @@
     <message>
       <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Wert des Datensatzes hat eine andere Art, als er sollte.</translation>
+      <translation>Ein Wert des Datensatzes hat den falschen Typ.</translation>
     </message>
     <message>
       <source>This is too large for one ZIP file; select fewer sherds.</source>
@@ -7436,7 +7436,7 @@
     <message>
       <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Foto hat nicht die Größe seiner Kamera; die Originaldatei verwenden.</translation>
+      <translation>Das Foto hat eine andere Größe als die Bilder seiner Kamera; die Originaldatei verwenden.</translation>
     </message>
     <message>
       <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
@@ -7446,22 +7446,22 @@
     <message>
       <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Die leere Platte von Kamera %1 hat eine andere Größe als die Fotos der Kamera; ohne sie maskiert</translation>
+      <translation>Masken: Das Foto der leeren Platte von Kamera %1 hat eine andere Größe als die übrigen Fotos der Kamera; die Masken entstehen ohne es</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Die leere Platte von Kamera %1 zeigt die Platte an keiner der Positionen; bei der ersten noch einmal aufnehmen; ohne sie maskiert</translation>
+      <translation>Masken: Das Foto der leeren Platte von Kamera %1 zeigt die Platte an keiner der Positionen; bei der ersten noch einmal aufnehmen; die Masken entstehen ohne es</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Die leere Platte von Kamera %1 zeigt Marken, die in %2 von etwas verdeckt sind; wegnehmen, was auf ihnen liegt; ohne sie maskiert</translation>
+      <translation>Masken: Das Foto der leeren Platte von Kamera %1 zeigt in %2 verdeckte Marken; sie freilegen; die Masken entstehen ohne es</translation>
     </message>
     <message>
       <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken: Ein Schatten, den die anderen Fotos nicht haben, liegt auf der Platte in %1; Menschen und Hände aus dem Licht halten und diese Fotos wiederholen, wenn ihre Masken falsch aussehen</translation>
+      <translation>Masken: Ein Schatten, den die anderen Fotos nicht haben, liegt auf der Platte in %1; Menschen und Hände aus dem Licht halten und diese Fotos noch einmal aufnehmen, wenn ihre Masken falsch aussehen</translation>
     </message>
     <message>
       <source>%1 (%2 % of the bare plate)</source>
@@ -7476,7 +7476,7 @@
     <message>
       <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Scan der Vorderseite hat keine Normalen; ein Modell muss wissen, was außen ist.</translation>
+      <translation>Der Scan der Vorderseite hat keine Normalen; ein Modell braucht sie, um außen und innen zu unterscheiden.</translation>
     </message>
     <message>
       <source>The back scan contains no points.</source>
@@ -7486,7 +7486,7 @@
     <message>
       <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Scan der Rückseite hat keine Normalen; ein Modell muss wissen, was außen ist.</translation>
+      <translation>Der Scan der Rückseite hat keine Normalen; ein Modell braucht sie, um außen und innen zu unterscheiden.</translation>
     </message>
     <message>
       <source>The scans do not enclose a volume; their normals may point inward.</source>
@@ -7496,12 +7496,12 @@
     <message>
       <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur ein geschlossenes Netz lässt sich ausdünnen.</translation>
+      <translation>Nur ein geschlossenes Netz lässt sich vereinfachen.</translation>
     </message>
     <message>
       <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Abweichung eines ausgedünnten Netzes muss über 0 mm liegen.</translation>
+      <translation>Die Abweichung eines vereinfachten Netzes muss über 0 mm liegen.</translation>
     </message>
     <message>
       <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
@@ -7531,7 +7531,7 @@
     <message>
       <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ecke %1 hält zwei Fächer von Flächen zusammen.</translation>
+      <translation>Ecke %1 verbindet zwei getrennte Fächer von Flächen.</translation>
     </message>
     <message>
       <source>The mesh has no faces.</source>
@@ -7566,7 +7566,7 @@
     <message>
       <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Angaben zu einem Paar nennen keine gültigen Scans oder keine gültige Zahl.</translation>
+      <translation>Die Belege für ein Paar nennen keine gültigen Scans oder keinen gültigen Wert.</translation>
     </message>
     <message>
       <source>pairing: %1 stays unpaired: %2</source>
@@ -7586,7 +7586,7 @@
     <message>
       <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Tabelle von Kandidaten; den Durchgang noch einmal berechnen, nur seine Paare werden neu gemacht.</translation>
+      <translation>Das ist keine Kandidatentabelle; den Durchgang neu verarbeiten, nur seine Paare werden neu gemacht.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
@@ -7601,12 +7601,12 @@
     <message>
       <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 gilt nicht: Entscheidung %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
+      <translation>Entscheidung %1 von %2 ist wirkungslos: Entscheidung %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Entscheidung ist von einer Art, die dieses Programm nicht kennt; ein neueres hat sie geschrieben.</translation>
+      <translation>Eine Entscheidung ist von unbekannter Art; eine neuere Version von Ostraka hat sie geschrieben.</translation>
     </message>
     <message>
       <source>A pair needs one front and one back.</source>
@@ -7616,27 +7616,27 @@
     <message>
       <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es wurde nichts genannt, das beiseitegelegt oder neu aufgenommen werden soll.</translation>
+      <translation>Es ist nichts ausgewählt, das beiseitegelegt oder neu aufgenommen werden soll.</translation>
     </message>
     <message>
       <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Stücke, die verbunden werden, müssen von derselben Seite sein.</translation>
+      <translation>Fragmente, die zusammengeführt werden, müssen von derselben Seite sein.</translation>
     </message>
     <message>
       <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Schnitt braucht ein Stück und eine Linie von mindestens einem Millimeter.</translation>
+      <translation>Zum Teilen sind ein Fragment und eine Linie von mindestens 1 mm nötig.</translation>
     </message>
     <message>
       <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es wurde nichts genannt, das zurückgenommen werden soll.</translation>
+      <translation>Es ist nichts ausgewählt, das zurückgenommen werden soll.</translation>
     </message>
     <message>
       <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Entscheidungen wurden von einem neueren Programm geschrieben; jenes benutzen.</translation>
+      <translation>Eine neuere Version von Ostraka hat diese Entscheidungen geschrieben; jene Version benutzen.</translation>
     </message>
     <message>
       <source>Decision %1 cannot be used.</source>
@@ -7651,7 +7651,7 @@
     <message>
       <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das sind keine Entscheidungen dieses Programms; die Datei wegräumen oder eine Kopie von ihr zurücklegen.</translation>
+      <translation>Das ist keine Entscheidungsdatei von Ostraka; sie woandershin verschieben oder eine Kopie von ihr zurücklegen.</translation>
     </message>
     <message>
       <source>This decision is no longer in effect.</source>
@@ -7671,42 +7671,42 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 können zwei Scherben sein, die sich berühren, %2 und %3 der anderen Seite: in der Prüfung zerteilen, oder auseinanderlegen und diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 können zwei Scherben sein, die sich berühren, %2 und %3 der anderen Seite: in der Prüfung teilen, oder auseinanderlegen und diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Liste von Strichen auf Masken; eine frühere zurücklegen oder sie entfernen.</translation>
+      <translation>Das ist keine Liste von Maskenstrichen; eine frühere zurücklegen oder sie löschen.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von diesem Durchgang gibt es noch keine Masken; ihn erst berechnen lassen.</translation>
+      <translation>Dieser Durchgang hat noch keine Masken; ihn zuerst verarbeiten.</translation>
     </message>
     <message>
       <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei sagt nicht, wie gut der Messplatz passte.</translation>
+      <translation>Diese Datei sagt nicht, wie gut der Messplatz passt.</translation>
     </message>
     <message>
       <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Kalibrierung ist von anderen Kameras als denen, mit denen der Durchgang aufgenommen wurde; den Messplatz nach seinen eigenen Fotos kalibrieren.</translation>
+      <translation>Diese Kalibrierung ist für andere Kameras als die des Durchgangs; den Messplatz nach seinen eigenen Fotos kalibrieren.</translation>
     </message>
     <message>
       <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ohne plate.json lassen sich die Masken nicht finden; Masken neben die Fotos legen oder ein Netz nennen (--masks MODEL.onnx).</translation>
+      <translation>Ohne plate.json lassen sich keine Masken erzeugen; Masken neben die Fotos legen oder ein Netz wählen (--masks MODEL.onnx).</translation>
     </message>
     <message>
       <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und was in mm angegeben ist, beruht auf einer geschätzten Pixelgröße; auf einer Platte mit Marken aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
+      <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und Längen in mm beruhen auf einer geschätzten Pixelgröße; auf einer Markenplatte aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
     </message>
     <message>
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ausgabeordner enthält etwas, das nicht von diesem Programm ist; einen anderen oder einen leeren wählen.</translation>
+      <translation>Der Ausgabeordner enthält Dateien, die Ostraka nicht geschrieben hat; einen anderen oder einen leeren wählen.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -7716,22 +7716,22 @@
     <message>
       <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ausgabeordner enthält etwas anderes; einen neuen oder leeren Ordner nennen.</translation>
+      <translation>Der Ausgabeordner enthält andere Dateien; einen neuen oder leeren Ordner wählen.</translation>
     </message>
     <message>
       <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Paar nennt einen Scan, den es nicht gibt; diese Datei löschen und noch einmal beginnen.</translation>
+      <translation>Ein Paar nennt einen Scan, den es nicht gibt; diese Datei löschen und den Durchgang neu verarbeiten.</translation>
     </message>
     <message>
       <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Tabelle von Paaren; sie löschen und noch einmal beginnen.</translation>
+      <translation>Das ist keine Paartabelle; sie löschen und den Durchgang neu verarbeiten.</translation>
     </message>
     <message>
       <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 und %2 wurden von Hand gepaart, aber nichts sagt, wie sie zueinander liegen; die Rückseite in der Prüfung von Hand drehen: %3</translation>
+      <translation>%1 und %2 wurden von Hand gepaart, aber ihre Lage zueinander ist unbekannt; die Rückseite in der Prüfung von Hand ausrichten: %3</translation>
     </message>
     <message>
       <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
@@ -7751,12 +7751,12 @@
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alle Fotos der Rückseite sind unscharf: Selbst im schärfsten sind die Kanten der Marker %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu fotografieren.</translation>
+      <translation>Alle Fotos der Rückseite sind unscharf: Selbst im schärfsten sind die Kanten der Marken %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alle Fotos der Vorderseite sind unscharf: Selbst im schärfsten sind die Kanten der Marker %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu fotografieren.</translation>
+      <translation>Alle Fotos der Vorderseite sind unscharf: Selbst im schärfsten sind die Kanten der Marken %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
@@ -7766,12 +7766,12 @@
     <message>
       <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 verbindet Stücke, die es nicht mehr gibt; noch einmal entscheiden.</translation>
+      <translation>Entscheidung %1 von %2 führt Fragmente zusammen, die es nicht mehr gibt; noch einmal entscheiden.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 zerteilt ein Stück, das es nicht gibt, oder schneidet daneben; noch einmal entscheiden.</translation>
+      <translation>Entscheidung %1 von %2 teilt ein Fragment, das es nicht gibt, oder verfehlt es; noch einmal entscheiden.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
@@ -7781,7 +7781,7 @@
     <message>
       <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Fotos zeigen keine Platte mit Marken, also muss das Programm %1 die Kameras finden, und es ist nicht installiert.</translation>
+      <translation>Die Fotos zeigen keine Markenplatte, also muss das Programm %1 die Kameras finden, und es ist nicht installiert; es installieren.</translation>
     </message>
     <message>
       <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
@@ -7791,37 +7791,37 @@
     <message>
       <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Andere Programme schließen oder einen Entwurf berechnen.</translation>
+      <translation>Andere Programme schließen oder einen Entwurf verarbeiten.</translation>
     </message>
     <message>
       <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: nicht von dort aufgenommen, wo die Kamera stand, während sich die Platte drehte; das Foto wird ausgelassen.</translation>
+      <translation>%1: Die Kamera war nicht dort, wo sie stand, während sich die Platte drehte; das Foto wird ausgelassen.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
       <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ausgabeordner liegt im Ordner des Durchgangs, in den nie etwas geschrieben wird; einen daneben wählen.</translation>
+      <translation>Der Ausgabeordner liegt im Ordner des Durchgangs, in den Ostraka nie schreibt; einen daneben wählen.</translation>
     </message>
     <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
@@ -7836,12 +7836,12 @@
     <message>
       <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Vorderseiten sind nicht in mm: Längen des Ergebnisses, die mm heißen, sind in der Einheit der Vorderseiten.</translation>
+      <translation>Die Vorderseiten sind nicht in mm: Längen des Ergebnisses, obwohl als mm bezeichnet, sind in der Einheit der Vorderseiten.</translation>
     </message>
     <message>
       <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Paare dieses Durchgangs sind noch nicht berechnet oder stammen von einem älteren Programm; den Durchgang noch einmal berechnen: was fertig ist, bleibt.</translation>
+      <translation>Die Paare dieses Durchgangs sind noch nicht verarbeitet oder stammen von einer älteren Version von Ostraka; den Durchgang neu verarbeiten: was vollständig ist, bleibt.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -7861,7 +7861,7 @@
     <message>
       <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Länge von %1 mm in scale.json ließ sich nicht vergleichen: jedes ihrer Enden auf mindestens zwei Fotos der Vorderseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
+      <translation>Die Länge von %1 mm in scale.json ließ sich nicht prüfen: jedes ihrer Enden auf mindestens zwei Fotos der Vorderseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
     </message>
     <message>
       <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
@@ -7871,12 +7871,12 @@
     <message>
       <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Länge von %1 mm in scale.json ließ sich nicht vergleichen: jedes ihrer Enden auf mindestens zwei Fotos der Rückseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
+      <translation>Die Länge von %1 mm in scale.json ließ sich nicht prüfen: jedes ihrer Enden auf mindestens zwei Fotos der Rückseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
     </message>
     <message>
       <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ordner lässt sich nicht lesen; einen Ordner mit PLY-Dateien nennen.</translation>
+      <translation>Der Ordner lässt sich nicht lesen; einen Ordner mit PLY-Dateien wählen.</translation>
     </message>
     <message>
       <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
@@ -7916,7 +7916,7 @@
     <message>
       <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Scan liegt das %1-Fache seiner Länge von 0, 0, 0 entfernt, also sind seine Koordinaten gerundet; ihn dorthin verschieben und noch einmal exportieren.</translation>
+      <translation>Der Scan liegt das %1-Fache seiner Länge vom Ursprung entfernt, also sind seine Koordinaten gerundet; ihn zum Ursprung verschieben und noch einmal exportieren.</translation>
     </message>
     <message>
       <source>None of the scans can be used: %1</source>
@@ -7971,17 +7971,17 @@
     <message>
       <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe %1: %2 % der Oberfläche hat keine Kamera gesehen; sie sind ergänzt, im Bild orange. Wenn es darauf ankommt, die Scherbe noch einmal aufnehmen.</translation>
+      <translation>Scherbe %1: %2 % der Oberfläche hat keine Kamera gesehen; sie sind ergänzt, im Bild orange. Wenn es darauf ankommt, die Scherbe neu aufnehmen.</translation>
     </message>
     <message>
       <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe %1: Durch ihr Modell geht ein Loch (%2 mm²). Wenn die Scherbe keines hat, zeigen die Aufnahmen diese Stelle nicht; sie noch einmal aufnehmen.</translation>
+      <translation>Scherbe %1: Durch ihr Modell geht ein Loch (%2 mm²). Wenn die Scherbe keines hat, zeigen die Fotos diese Stelle nicht; sie neu aufnehmen.</translation>
     </message>
     <message>
       <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sie nennt %1, das nicht in dem Durchgang ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>
+      <translation>Die Datei nennt %1, das nicht in dem Durchgang ist; sie löschen, dann werden die Kameras neu gefunden.</translation>
     </message>
     <message>
       <source>This photograph has no mask; provide one for each photograph to be used.</source>
@@ -8011,32 +8011,32 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Auf diesem Foto ist keine Scherbe markiert; es wird ausgelassen.</translation>
+      <translation>%1: Die Maske markiert auf diesem Foto keine Scherbe; es wird ausgelassen.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wenn Scherben darauf sind, es noch einmal aufnehmen oder seine Maske ausbessern.</translation>
+      <translation>Wenn Scherben darauf sind, es noch einmal aufnehmen oder seine Maske bearbeiten.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf %1 Fotos der Vorderseite sind Scherben markiert; 3 sind nötig.</translation>
+      <translation>Masken markieren auf %1 Fotos der Vorderseite Scherben; 3 sind nötig.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf %1 Fotos der Rückseite sind Scherben markiert; 3 sind nötig.</translation>
+      <translation>Masken markieren auf %1 Fotos der Rückseite Scherben; 3 sind nötig.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Masken ansehen, und ob Scherben auf der Platte lagen.</translation>
+      <translation>Die Masken prüfen, und ob Scherben auf der Platte lagen.</translation>
     </message>
     <message>
       <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Weniger als 10 Punkte der Bruchkanten treffen sich; von einer besseren Lage aus beginnen.</translation>
+      <translation>Weniger als 10 Punkte des Bruchs passen zueinander; von einer besseren Lage aus beginnen.</translation>
     </message>
     <message>
       <source>No start pose was given for the registration.</source>
@@ -8051,17 +8051,17 @@
     <message>
       <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Weniger als 50 Punkte liegen auf der Bruchkante; die Scherbe mit ihrem Rand noch einmal scannen.</translation>
+      <translation>Weniger als 50 Punkte liegen auf dem Bruch; die Scherbe mit ihrem Bruch noch einmal scannen.</translation>
     </message>
     <message>
       <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Die Tafel ist nicht zu sehen; dieses Bild wird ausgelassen.</translation>
+      <translation>%1: Die Tafel wurde nicht erkannt; dieses Bild wird ausgelassen.</translation>
     </message>
     <message>
       <source>The dictionary %1 has too few markers for the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis %1 hat zu wenige Marken für die Tafel.</translation>
+      <translation>Das Wörterbuch %1 hat zu wenige Marken für die Tafel.</translation>
     </message>
     <message>
       <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
@@ -8071,7 +8071,7 @@
     <message>
       <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier ist nichts, wonach sich kalibrieren ließe: die Platte an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
+      <translation>Es gibt nichts, wonach sich kalibrieren ließe: die Platte an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
     </message>
     <message>
       <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
@@ -8091,37 +8091,37 @@
     <message>
       <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ausgleichung des Messplatzes fand keine Lösung; prüfen, ob plate.json und board.json beschreiben, was aufgenommen wurde.</translation>
+      <translation>Die Bündelausgleichung des Messplatzes konvergierte nicht; prüfen, ob plate.json und board.json beschreiben, was aufgenommen wurde.</translation>
     </message>
     <message>
       <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Darin steht nicht, wie die Blätter gebogen sind; die Datei löschen, dann wird es neu gemessen.</translation>
+      <translation>Die Datei beschreibt nicht, wie die Bögen gebogen sind; sie löschen, dann wird es neu gemessen.</translation>
     </message>
     <message>
       <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Datei sagt nicht, worauf die Scherben stehen; sie löschen, dann wird es neu bestimmt.</translation>
+      <translation>Die Datei beschreibt nicht, worauf die Scherben stehen; sie löschen, dann wird es neu bestimmt.</translation>
     </message>
     <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken des Blattes sind in %1 von %2 Fotos der Seite %3 lesbar; mindestens 3 sind nötig. Prüfen, ob plate.json dieses Blatt beschreibt, ob die Fotos nicht gespiegelt sind und ob die meisten Marken im Bild sind.</translation>
+      <translation>Die Marken des Bogens sind in %1 von %2 Fotos der Seite %3 lesbar; mindestens 3 sind nötig. Prüfen, ob plate.json diesen Bogen beschreibt, ob die Fotos nicht gespiegelt sind und ob die meisten Marken im Bild sind.</translation>
     </message>
     <message>
       <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: %2 Marken des Blattes sind darin lesbar, zu wenige für eine Lage; es wird weggelassen.</translation>
+      <translation>%1: %2 Marken des Bogens sind lesbar, zu wenige für eine Lage; das Foto wird ausgelassen.</translation>
     </message>
     <message>
       <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotos, die für eine Pose zu wenige Marker des Bogens zeigen, werden ausgelassen (%1 und %2 weitere); prüfen, ob sie diesen Bogen zeigen.</translation>
+      <translation>Fotos, die für eine Lage zu wenige Marken des Bogens zeigen, werden ausgelassen (%1 und %2 weitere); prüfen, ob sie diesen Bogen zeigen.</translation>
     </message>
     <message>
       <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Die meisten Marker des Bogens liegen darin anders, als die übrigen Fotos sagen; es wird ausgelassen.</translation>
+      <translation>%1: Die meisten Marken des Bogens liegen nicht dort, wo die übrigen Fotos sie sehen; das Foto wird ausgelassen.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
@@ -8131,7 +8131,7 @@
     <message>
       <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es gibt kein plate.json, also sind die Marken der Platte nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit der Platte geschrieben hat.</translation>
+      <translation>plate.json fehlt, also sind die Marken der Platte nicht verwendbar; die Datei, die 'ostraka plate' mit der Platte geschrieben hat, in diesen Ordner kopieren.</translation>
     </message>
     <message>
       <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
@@ -8146,7 +8146,7 @@
     <message>
       <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Objektiv von Kamera %1 ist unbekannt: Es gibt weder brauchbare Bilder der Tafel noch Marken der Platte; Bilder der Tafel zu 'calib' hinzufügen.</translation>
+      <translation>Das Objektiv von Kamera %1 ist unbekannt: Es wurden weder brauchbare Bilder der Tafel noch Marken der Platte gefunden; Bilder der Tafel zu 'calib' hinzufügen.</translation>
     </message>
     <message>
       <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
@@ -8166,7 +8166,7 @@
     <message>
       <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der bekannte Messplatz stimmt nicht mehr: Kamera %1 verfehlt die Marken um %2 px; die Orte der Kameras werden für diesen Durchgang neu geschätzt, den Messplatz neu kalibrieren.</translation>
+      <translation>Der bekannte Messplatz passt nicht mehr: Kamera %1 verfehlt die Marken um %2 px. Die Lagen der Kameras werden für diesen Durchgang neu geschätzt; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
       <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
@@ -8181,7 +8181,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Keine Marke ist darauf zu sehen; zeigt es diese Position? Wenn nicht, noch einmal aufnehmen.</translation>
+      <translation>%1: Keine Marke ist zu sehen; prüfen, ob das Foto diese Position zeigt. Wenn nicht, noch einmal aufnehmen.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
@@ -8206,7 +8206,7 @@
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Weniger als acht Marken waren zu sehen, also ließ sich kein Abstand zur Kontrolle zurückhalten: Der Maßstab ist nicht geprüft.</translation>
+      <translation>Weniger als acht Marken wurden erkannt, also ließ sich kein Abstand zur Kontrolle zurückhalten: Der Maßstab ist nicht geprüft.</translation>
     </message>
     <message>
       <source>Markers %1 and %2: you measured %3 mm, plate.json says %4 mm (%5 %); measure the plate&apos;s ruler and regenerate plate.json with &apos;ostraka plate --ruler-measured&apos;.</source>
@@ -8216,7 +8216,7 @@
     <message>
       <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einer anderen Platte?</translation>
+      <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; prüfen, ob sie sich zwischen den Fotos nicht bewegt hat und ob plate.json zu dieser Platte gehört.</translation>
     </message>
     <message>
       <source>Not usable: the scale is wrong.</source>
@@ -8226,7 +8226,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gut: Objektive, Orte und Maßstab sind bestimmt.</translation>
+      <translation>Gut: Objektive, Lagen der Kameras und Maßstab sind bestimmt.</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
@@ -8236,12 +8236,12 @@
     <message>
       <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Brauchbar, aber eine Brennweite ist auf nicht besser als ein Tausendstel bekannt.</translation>
+      <translation>Brauchbar, aber eine Brennweite ist um mehr als ein Tausendstel unsicher.</translation>
     </message>
     <message>
       <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Brauchbar; was unten genannt ist, würde sie verbessern.</translation>
+      <translation>Brauchbar; die Schritte unten verbessern es.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %).</source>
@@ -8256,12 +8256,12 @@
     <message>
       <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Brennweite %2 px (%3 %), die Marken der Platte auf %4 px im Median.</translation>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), Fehler an den Marken der Platte %4 px im Median.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, die Marken der Platte auf %9 px im Median.</translation>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, Fehler an den Marken der Platte %9 px im Median.</translation>
     </message>
     <message>
       <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
@@ -8366,7 +8366,7 @@
     <message>
       <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Objektiv ist bekannt, die Orte der Kameras sind es nicht: Es lässt sich kein Messplatz speichern.</translation>
+      <translation>Das Objektiv ist bekannt, die Lagen der Kameras sind es nicht: Es lässt sich kein Messplatz speichern.</translation>
     </message>
     <message>
       <source>Not usable: the focal length is not determined.</source>
@@ -8381,22 +8381,22 @@
     <message>
       <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 der bekannten Länge ist nicht zweimal zu sehen; zwei Marken der Platte nennen, die auf den Fotos sind.</translation>
+      <translation>Marke %1 der bekannten Länge ist auf weniger als zwei Fotos zu sehen; zwei Marken der Platte wählen, die auf den Fotos sind.</translation>
     </message>
     <message>
       <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine bekannte Länge braucht zwei verschiedene Marken und Millimeter über null.</translation>
+      <translation>Eine bekannte Länge braucht zwei verschiedene Marken und einen Wert größer als 0 mm.</translation>
     </message>
     <message>
       <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diesen Ordner gibt es nicht; einen mit Fotos der Platte oder der Tafel nennen.</translation>
+      <translation>Ordner nicht gefunden; einen mit Fotos der Platte oder der Tafel wählen.</translation>
     </message>
     <message>
       <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mehr als fünf Verzeichnungsglieder für '%1' werden nicht verstanden; zuerst die Verzeichnung aus ihren Fotos entfernen.</translation>
+      <translation>Mehr als fünf Verzeichnungsglieder für '%1' werden nicht unterstützt; zuerst die Verzeichnung aus ihren Fotos entfernen.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>
@@ -8421,7 +8421,7 @@
     <message>
       <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAPs Kamera %1 hat das Modell '%2' oder Werte, die hier nicht verwendbar sind; stattdessen OPENCV nehmen.</translation>
+      <translation>COLMAPs Kamera %1 hat das Modell '%2' oder Werte, die Ostraka nicht unterstützt; stattdessen OPENCV nehmen.</translation>
     </message>
     <message>
       <source>COLMAP's model has no camera for the image '%1'.</source>
@@ -8431,32 +8431,32 @@
     <message>
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Datei ist beschädigt oder nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
+      <translation>Die Datei ist beschädigt oder nicht in COLMAPs Format; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
       <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeile %1 ist nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
+      <translation>Zeile %1 ist nicht in COLMAPs Format; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Lage dieses Fotos wird ohne seine Maske bestimmt.</translation>
+      <translation>Die Lage dieses Fotos wird ohne seine Maske geschätzt.</translation>
     </message>
     <message>
       <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einer Platte mit Marken aufnehmen.</translation>
+      <translation>Ohne plate.json kommen die Lagen von COLMAP, das nicht installiert ist; das Paket 'colmap' installieren oder auf einer Markenplatte aufnehmen.</translation>
     </message>
     <message>
       <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einer Platte mit Marken aufnehmen.</translation>
+      <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einer Markenplatte aufnehmen.</translation>
     </message>
     <message>
       <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu dieser Platte gehört, ob sie maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihr kalibriert wurde.</translation>
+      <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu dieser Platte gehört, ob sie ohne Verzerrung gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihr kalibriert wurde.</translation>
     </message>
     <message>
       <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
@@ -8491,7 +8491,7 @@
     <message>
       <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
+      <translation>Kamera %1: Kein Kameramodell passt zu den Kalibrierbildern.</translation>
     </message>
     <message>
       <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
@@ -8521,17 +8521,17 @@
     <message>
       <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
+      <translation>Kamera %1: Kein Kameramodell passt zu den Kalibrierbildern.</translation>
     </message>
     <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Die Tafel ist darauf nicht zu sehen; es wird beiseitegelegt.</translation>
+      <translation>%1: Die Tafel wurde nicht erkannt; das Bild wird beiseitegelegt.</translation>
     </message>
     <message>
       <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Markenverzeichnis '%1' ist unbekannt; eines wie DICT_4X4_100 nehmen.</translation>
+      <translation>Das Markenwörterbuch '%1' ist unbekannt; eines wie DICT_4X4_100 nehmen.</translation>
     </message>
     <message>
       <source>The markers&apos; side must be between 5 and 200 mm.</source>
@@ -8571,17 +8571,17 @@
     <message>
       <source>The sheets&apos; overlap must be between 5 and 40 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Überlappung der Blätter muss zwischen 5 und 40 mm liegen.</translation>
+      <translation>Die Überlappung der Bögen muss zwischen 5 und 40 mm liegen.</translation>
     </message>
     <message>
       <source>The dictionary %1 has too few markers for this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis %1 hat zu wenige Marken für diese Platte.</translation>
+      <translation>Das Wörterbuch %1 hat zu wenige Marken für diese Platte.</translation>
     </message>
     <message>
       <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Maß des Lineals muss eine Länge in mm sein, die auf die Platte passt.</translation>
+      <translation>Die gemessene Länge des Lineals muss in mm sein und auf die Platte passen.</translation>
     </message>
     <message>
       <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
@@ -8591,12 +8591,12 @@
     <message>
       <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 hat eine Kovarianz anderer Größe; den Messplatz neu kalibrieren.</translation>
+      <translation>Kamera %1 hat eine Kovarianz falscher Größe; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
       <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Messplatz wurde von einer anderen Version geschrieben; den Messplatz neu kalibrieren.</translation>
+      <translation>Eine andere Version von Ostraka hat diesen Messplatz geschrieben; ihn neu kalibrieren.</translation>
     </message>
     <message>
       <source>Camera %1 appears twice in the rig.</source>
@@ -8616,7 +8616,7 @@
     <message>
       <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei gibt es schon, und sie ist kein Messplatz; eine andere nennen.</translation>
+      <translation>Diese Datei gibt es schon, und sie ist kein Messplatz; einen anderen Namen wählen.</translation>
     </message>
     <message>
       <source>The log cannot be written.</source>
@@ -8631,7 +8631,7 @@
     <message>
       <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Programm ging verloren.</translation>
+      <translation>Der Endstatus des Programms ist unbekannt.</translation>
     </message>
     <message>
       <source>The program cannot be started; install it.</source>
@@ -8641,17 +8641,17 @@
     <message>
       <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 endete mit einem Fehler; seine Meldungen stehen in dieser Datei.</translation>
+      <translation>%1 endete mit einem Fehler; seine Ausgabe steht in dieser Datei.</translation>
     </message>
     <message>
       <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Krümel von %1 mm bei x %2, y %3 mm blieb beiseite; wenn es eine Scherbe ist, sie allein aufnehmen.</translation>
+      <translation>Ein Krümel von %1 mm bei x %2, y %3 mm wurde ausgelassen; wenn es eine Scherbe ist, sie allein aufnehmen.</translation>
     </message>
     <message>
       <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Etwas Flaches bei x %1, y %2 mm blieb beiseite; es kann eine Marke oder Schmutz auf der Platte sein.</translation>
+      <translation>Ein flacher Gegenstand bei x %1, y %2 mm wurde ausgelassen; er kann eine Marke oder Schmutz auf der Platte sein.</translation>
     </message>
     <message>
       <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
@@ -8676,32 +8676,32 @@
     <message>
       <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses colmap wurde ohne CUDA gebaut, das seine Stereoberechnung braucht; eines mit CUDA installieren oder --dense builtin nehmen, das nichts weiter braucht.</translation>
+      <translation>Dieses COLMAP wurde ohne CUDA gebaut, das seine Stereoberechnung braucht; eines mit CUDA installieren oder --dense builtin nehmen, das keines von beiden braucht.</translation>
     </message>
     <message>
       <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Masken der Ansichten haben keinen gemeinsamen Gegenstand; Masken, Kameras und Grenzen prüfen.</translation>
+      <translation>Die Masken der Ansichten zeigen keinen gemeinsamen Gegenstand; Masken, Kameras und Grenzen prüfen.</translation>
     </message>
     <message>
       <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>InterfaceCOLMAP hinterließ keine Szene; seine Meldungen stehen in dieser Datei.</translation>
+      <translation>InterfaceCOLMAP schrieb keine Szene; seine Ausgabe steht in dieser Datei.</translation>
     </message>
     <message>
       <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Für die Tiefe sind mindestens 3 Fotos mit bekannten Kameras nötig.</translation>
+      <translation>Für die Stereoberechnung sind mindestens 3 Fotos mit bekannten Kameras nötig.</translation>
     </message>
     <message>
       <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Foto oder seine Maske hat eine andere Größe, als seine Kamera angibt; das Foto nehmen, mit dem die Kamera kalibriert wurde.</translation>
+      <translation>Das Foto oder seine Maske hat eine andere Größe als die Bilder seiner Kamera; Fotos der Größe nehmen, mit der die Kamera kalibriert wurde.</translation>
     </message>
     <message>
       <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Foto hat eine andere Größe, als seine Kamera angibt; das Foto nehmen, mit dem die Kamera kalibriert wurde.</translation>
+      <translation>Das Foto hat eine andere Größe als die Bilder, mit denen seine Kamera kalibriert wurde; das Originalfoto nehmen.</translation>
     </message>
     <message>
       <source>The mask and its photograph differ in size.</source>
@@ -8711,7 +8711,7 @@
     <message>
       <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 fand keine Punkte des Gegenstands; seine Meldungen stehen in dieser Datei, und --dense builtin braucht kein anderes Programm.</translation>
+      <translation>%1 fand keine Punkte des Gegenstands; seine Ausgabe steht in dieser Datei, und --dense builtin braucht kein anderes Programm.</translation>
     </message>
     <message>
       <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
@@ -8721,12 +8721,12 @@
     <message>
       <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Programm %1 ist nicht im PATH, aber --dense %2 braucht es; es installieren oder --dense builtin nehmen, das nichts weiter braucht.</translation>
+      <translation>Das Programm %1 ist nicht im PATH, aber --dense %2 braucht es; es installieren oder --dense builtin nehmen, das kein anderes Programm braucht.</translation>
     </message>
     <message>
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es wurde kein Punkt der Oberfläche gefunden, in dem zwei Ansichten übereinstimmen; Kameras und Masken prüfen.</translation>
+      <translation>Keine zwei Ansichten stimmen in einem Punkt der Oberfläche überein; Kameras und Masken prüfen.</translation>
     </message>
     <message>
       <source>The picture could not be encoded.</source>
@@ -8751,7 +8751,7 @@
     <message>
       <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gleich aussehende Scherben sind Paare: höchstens halb so viele wie Scherben.</translation>
+      <translation>near_duplicates sind Zweiergruppen: höchstens halb so viele wie Scherben.</translation>
     </message>
     <message>
       <source>The rig needs a camera and at least four positions; recalibrate it.</source>
@@ -8766,17 +8766,17 @@
     <message>
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Kamera hat kein Foto gemacht.</translation>
+      <translation>Die Kamera hat kein Foto aufgenommen.</translation>
     </message>
     <message>
       <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einer Markenplatte fotografieren.</translation>
+      <translation>COLMAP kann diese Fotos nicht ausrichten; seine Ausgabe steht in dieser Datei. Prüfen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einer Markenplatte aufnehmen.</translation>
     </message>
     <message>
       <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Modell ist nicht mehr da; seinen Durchgang noch einmal berechnen.</translation>
+      <translation>Dieses Modell fehlt; seinen Durchgang neu verarbeiten.</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8786,17 +8786,17 @@
     <message>
       <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Scherbe ist ungültig, weil: %1</translation>
+      <translation>Diese Scherbe ist ungültig; Grund: %1</translation>
     </message>
     <message>
       <source>%1 is void and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ist ungültig und wurde weggelassen.</translation>
+      <translation>%1 ist ungültig und wurde ausgelassen.</translation>
     </message>
     <message>
       <source>The edge taken as the lip barely resembles one (%1 %); check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); bitte prüfen, wie die Scherbe steht.</translation>
+      <translation>Die als Lippe angenommene Kante sieht kaum danach aus (%1 %); die Ausrichtung der Scherbe prüfen.</translation>
     </message>
     <message>
       <source>Ø %1 cm</source>
@@ -8831,7 +8831,7 @@
     <message>
       <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Beutel liegt in einem Befund; zuerst den Befund eintragen.</translation>
+      <translation>Ein Beutel gehört zu einem Befund; zuerst den Befund eingeben.</translation>
     </message>
     <message>
       <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
@@ -8841,22 +8841,22 @@
     <message>
       <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einen Beutel %1 gibt es im Befund %2 noch nicht; ihn bei der Aufnahme eintippen oder eine Tabelle der Befunde mit ihm importieren.</translation>
+      <translation>Einen Beutel %1 gibt es im Befund %2 noch nicht; ihn bei der Aufnahme eingeben oder eine Tabelle der Befunde mit ihm importieren.</translation>
     </message>
     <message>
       <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was für die Lippe gehalten wurde, kann ein Bruch sein (%1 %, dass es die Lippe ist) und der Durchmesser falsch; bitte prüfen, wie die Scherbe steht.</translation>
+      <translation>Die als Lippe angenommene Kante kann ein Bruch sein (%1 %, dass es die Lippe ist) und der Durchmesser falsch; die Ausrichtung der Scherbe prüfen.</translation>
     </message>
     <message>
       <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Durchgang wird gerade fotografiert; er wird berechnet, wenn das fertig ist.</translation>
+      <translation>Dieser Durchgang wird gerade aufgenommen; er wird danach verarbeitet.</translation>
     </message>
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anpassungen an Scherben, die im Export fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
+      <translation>Anpassungen an Scherben, die nicht im Export sind oder nicht importiert wurden, sind ausgelassen: %1; von Hand eintragen.</translation>
     </message>
     <message>
       <source>'%1' can be read as %2 or as %3; write one of the two.</source>
@@ -8866,62 +8866,62 @@
     <message>
       <source>The context %1 needs its site; enter both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
+      <translation>Der Befund %1 braucht seinen Fundort; beide eingeben.</translation>
     </message>
     <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Durchgang ist nicht zu Ende gerechnet; lassen Sie die Warteschlange ihn rechnen, dann können seine Paare angesehen werden.</translation>
+      <translation>Der Durchgang ist nicht fertig verarbeitet; ihn von der Warteschlange verarbeiten lassen, dann seine Paare prüfen.</translation>
     </message>
     <message>
       <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 wurde neu aufgenommen, nachdem die Maske verbessert war; die Striche auf der früheren Aufnahme sind weggelassen. Sehen Sie die Maske an.</translation>
+      <translation>%1 wurde noch einmal aufgenommen, nachdem die Maske bearbeitet war; die Striche auf dem früheren Foto sind ausgelassen. Die Maske prüfen.</translation>
     </message>
     <message>
       <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
+      <translation>Anpassungen an Zeilen, die nicht importiert wurden, sind ausgelassen: %1; diese Zeilen berichtigen, dann die Tabelle noch einmal importieren.</translation>
     </message>
     <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer %1 wurde für eine Scherbe von %2 getippt; diese ist noch nicht berechnet.</translation>
+      <translation>Die Nummer %1 wurde für eine Scherbe des Durchgangs %2 eingegeben, der noch nicht verarbeitet ist.</translation>
     </message>
     <message>
       <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder es entfernen.</translation>
+      <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder jenes Blatt löschen.</translation>
     </message>
     <message>
       <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nach dem Zeichen = steht eine Nummer.</translation>
+      <translation>Nach = eine Nummer eingeben.</translation>
     </message>
     <message>
       <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Ordner, keine Datei; eine Datei nennen.</translation>
+      <translation>Das ist ein Ordner, keine Datei; eine Datei wählen.</translation>
     </message>
     <message>
       <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist eine Pipe, keine Datei; eine Datei nennen.</translation>
+      <translation>Das ist eine Pipe, keine Datei; eine Datei wählen.</translation>
     </message>
     <message>
       <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Socket, keine Datei; eine Datei nennen.</translation>
+      <translation>Das ist ein Socket, keine Datei; eine Datei wählen.</translation>
     </message>
     <message>
       <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Gerät, keine Datei; eine Datei nennen.</translation>
+      <translation>Das ist ein Gerät, keine Datei; eine Datei wählen.</translation>
     </message>
     <message>
       <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Link liegt dort, wo die Sperre dieses Ordners hingehört; ihn löschen.</translation>
+      <translation>Ein Link hat den Platz der Sperrdatei dieses Ordners eingenommen; den Link löschen.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
@@ -8931,7 +8931,7 @@
     <message>
       <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das JSON nennt „%1“ zweimal in einem Objekt; eines von beiden löschen.</translation>
+      <translation>Das JSON enthält „%1“ zweimal in einem Objekt; eines von beiden löschen.</translation>
     </message>
     <message>
       <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
@@ -8951,7 +8951,7 @@
     <message>
       <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 der Platte ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei der Platte neu drucken.</translation>
+      <translation>Marke %1 der Platte ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Plattendatei neu erzeugen.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
@@ -8961,7 +8961,7 @@
     <message>
       <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken %1 und %2 der Platte überlappen sich; die Datei der Platte neu drucken.</translation>
+      <translation>Die Marken %1 und %2 der Platte überlappen sich; die Plattendatei neu erzeugen.</translation>
     </message>
     <message>
       <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
@@ -8981,7 +8981,7 @@
     <message>
       <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wo ein Ordner hingehört, steht eine Verknüpfung oder eine Datei, oder eine Verknüpfung, wo eine Datei hingehört; die Dateien selbst dorthin legen.</translation>
+      <translation>Ein Link oder eine Datei hat den Platz eines Ordners eingenommen, oder ein Link den einer Datei; durch den Ordner oder die Datei selbst ersetzen.</translation>
     </message>
     <message>
       <source>A file of this name already exists; it is not overwritten.</source>
@@ -8991,7 +8991,7 @@
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Export nennt einen Ort im Projekt, an den keine solche Datei gehört; nichts wurde eingetragen.</translation>
+      <translation>Der Export nennt einen Ort im Projekt, an den keine solche Datei gehört; nichts wurde importiert.</translation>
     </message>
     <message>
       <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
@@ -9001,17 +9001,17 @@
     <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ausgabeordner ist weg: Er wurde verschoben oder gelöscht, während das Programm hineinschrieb. Die Fotos sind unberührt; denselben Befehl noch einmal starten.</translation>
+      <translation>Der Ausgabeordner ist weg: Er wurde verschoben oder gelöscht, während Ostraka hineinschrieb. Die Fotos sind unberührt; denselben Befehl noch einmal starten.</translation>
     </message>
     <message>
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Ordner enthält schon Dateien; einen neuen oder leeren nennen.</translation>
+      <translation>Der Ordner enthält schon Dateien; einen neuen oder leeren wählen.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Ordner ist ein eigener Datenträger oder der, in dem man sich befindet; einen neuen Ordner darin nennen.</translation>
+      <translation>Dieser Ordner ist ein Einhängepunkt oder der aktuelle Ordner; einen neuen Ordner darin wählen.</translation>
     </message>
     <message>
       <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
@@ -9021,17 +9021,17 @@
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Stück von %1 % der Länge der üblichen Scherbe wurde auf der Vorderseite weggelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
+      <translation>Ein Gegenstand von %1 % der Länge der üblichen Scherbe wurde auf der Vorderseite ausgelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
     </message>
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Stück von %1 % der Länge der üblichen Scherbe wurde auf der Rückseite weggelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
+      <translation>Ein Gegenstand von %1 % der Länge der üblichen Scherbe wurde auf der Rückseite ausgelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
     </message>
     <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ist es eine, sie allein fotografieren.</translation>
+      <translation>Ist es eine, sie allein aufnehmen.</translation>
     </message>
     <message>
         <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
@@ -9046,7 +9046,7 @@
     <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>seine Seiten passen nicht zusammen</translation>
+        <translation>seine Seiten widersprechen sich</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -9081,12 +9081,12 @@
     <message>
         <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Der Katalog kann nicht gelesen werden; prüfen Sie, ob er vorhanden ist, und seine Zugriffsrechte.</translation>
+        <translation>Der Katalog lässt sich nicht lesen; prüfen, ob er vorhanden ist, und seine Zugriffsrechte prüfen.</translation>
     </message>
     <message>
         <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Dieses Projekt kann nur gelesen werden, und für eine Kopie zum Lesen fehlt der Platz; schaffen Sie Platz im Ordner für temporäre Dateien.</translation>
+        <translation>Dieses Projekt kann nur gelesen werden, und für die Kopie, die Ostraka liest, fehlt der Platz; im Ordner für temporäre Dateien Platz schaffen.</translation>
     </message>
     <message>
         <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
@@ -9096,7 +9096,7 @@
     <message>
         <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Der Katalog ist beschädigt und keine seiner Sicherungen ist vollständig; kopieren Sie eine aus einem Archiv oder von einem anderen Datenträger in den Ordner backups und reparieren Sie ihn dann noch einmal.</translation>
+        <translation>Der Katalog ist beschädigt, und keine seiner Sicherungen ist unversehrt; eine aus einem Archiv oder von einem anderen Datenträger in den Ordner backups kopieren und ihn dann noch einmal reparieren.</translation>
     </message>
     <message>
         <source>Another program has this project open; close it there, then repair it.</source>
@@ -9106,17 +9106,17 @@
     <message>
         <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder Spalten für Fundort und Befund (Befunde); geben Sie an, welche das sind.</translation>
+        <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder Spalten für Fundort und Befund (Befunde); diese auswählen.</translation>
     </message>
     <message>
         <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Von %1 Zeilen sind %2 eingetragen; derselbe Import trägt die übrigen ein.</translation>
+        <translation>%1 Zeilen insgesamt, %2 importiert; für die übrigen denselben Import noch einmal ausführen.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Spalte &apos;%1&apos; sagt dasselbe wie &apos;%2&apos;; ihre Werte bleiben als eigenes Feld.</translation>
+      <translation>Die Spalte &apos;%1&apos; bedeutet dasselbe wie &apos;%2&apos;; ihre Werte werden als eigenes Feld behalten.</translation>
     </message>
     <message>
       <source>Check the drawing of %1: %2</source>

@@ -55,7 +55,7 @@
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όσο υπολογιζόταν η παρτίδα, αποφασίστηκαν ζεύγη ή διορθώθηκαν μάσκες· υπολογίστε την ξανά γι' αυτά.</translation>
+      <translation>Όσο γινόταν η επεξεργασία της παρτίδας, αποφασίστηκαν ζεύγη ή άλλαξαν μάσκες· επανεπεξεργαστείτε την γι' αυτά.</translation>
     </message>
 </context>
 <context>
@@ -689,7 +689,7 @@
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>πρόσθια όψη %1</translation>
+        <translation>μπροστινή όψη %1</translation>
     </message>
     <message>
         <source>back %1</source>
@@ -719,7 +719,7 @@
     <message>
         <source>No front</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Χωρίς πρόσθια όψη</translation>
+        <translation>Χωρίς μπροστινή όψη</translation>
     </message>
     <message>
         <source>This back is to be reshot.</source>
@@ -729,7 +729,7 @@
     <message>
         <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Καμία πρόσθια όψη δεν έχει αυτή την πίσω όψη. Σύρετέ τη στην πρόσθια, συγχωνεύστε τη με άλλη ή αφήστε τη στην άκρη.</translation>
+        <translation>Καμία μπροστινή όψη δεν έχει αυτή την πίσω όψη. Σύρετέ τη στη μπροστινή της, συγχωνεύστε τη με άλλη ή αφήστε τη στην άκρη.</translation>
     </message>
     <message>
         <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
@@ -839,22 +839,22 @@
     <message>
       <source>The fracture barely fixes the position: uncertain by %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η ακμή μόλις που ορίζει τη θέση: αβεβαιότητα %1.</translation>
+      <translation>Η θραύση μόλις που ορίζει τη θέση: αβεβαιότητα %1.</translation>
     </message>
     <message>
       <source>A position %1 along the contour fits almost as well.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια θέση %1 πιο πέρα στην ακμή ταιριάζει σχεδόν εξίσου καλά.</translation>
+      <translation>Μια θέση %1 πιο πέρα στο περίγραμμα ταιριάζει σχεδόν εξίσου καλά.</translation>
     </message>
     <message>
       <source>The fractures cannot be compared; only the outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
+      <translation>Οι θραύσεις δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
     </message>
     <message>
       <source>The fractures barely touch: %1 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές μόλις συναντιούνται: το %1.</translation>
+      <translation>Οι θραύσεις μόλις ακουμπούν: το %1.</translation>
     </message>
     <message>
       <source>refined</source>
@@ -864,12 +864,12 @@
     <message>
       <source>Turned by hand: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στράφηκε με το χέρι: συναντιέται το %1 των ακμών.</translation>
+      <translation>Στράφηκε με το χέρι: ακουμπά το %1 των θραύσεων.</translation>
     </message>
     <message>
       <source>Trying another start point: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται άλλο αρχικό σημείο: συναντιέται το %1 των ακμών.</translation>
+      <translation>Δοκιμάζεται άλλο αρχικό σημείο: ακουμπά το %1 των θραύσεων.</translation>
     </message>
     <message>
       <source>Trying another start point.</source>
@@ -879,12 +879,12 @@
     <message>
       <source>Refined by the fractures: %1 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ρυθμίστηκε από τις ακμές: συναντιέται το %1.</translation>
+      <translation>Ρυθμίστηκε από τις θραύσεις: ακουμπά το %1.</translation>
     </message>
     <message>
       <source>Refined by the fractures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ρυθμίστηκε από τις ακμές.</translation>
+      <translation>Ρυθμίστηκε από τις θραύσεις.</translation>
     </message>
     <message>
       <source>Trying %1: %2.</source>
@@ -894,12 +894,12 @@
     <message>
       <source>Trying %1: %2, fractures %3 apart.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται το %1: %2, ακμές σε απόσταση %3.</translation>
+      <translation>Δοκιμάζεται το %1: %2, θραύσεις σε απόσταση %3.</translation>
     </message>
     <message>
       <source>Trying %1: %2; its fractures do not touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δοκιμάζεται το %1: %2· οι ακμές δεν συναντιούνται.</translation>
+      <translation>Δοκιμάζεται το %1: %2· οι θραύσεις δεν ακουμπούν.</translation>
     </message>
     <message>
       <source>sherd %1 of %2</source>
@@ -1060,7 +1060,7 @@
     <message>
         <source>Draft: review it, then reprocess it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Πρόχειρο: ελέγξτε και επανεπεξεργαστείτε</translation>
+        <translation>Προσχέδιο: ελέγξτε το και επανεπεξεργαστείτε την παρτίδα</translation>
     </message>
     <message>
         <source>Masks edited: reprocess it</source>
@@ -1095,7 +1095,7 @@
     <message>
         <source>draft, to be reprocessed; %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>πρόχειρο, για επανεπεξεργασία· %1</translation>
+        <translation>προσχέδιο, για επανεπεξεργασία· %1</translation>
     </message>
     <message numerus="yes">
         <source>%1; %n to reshoot</source>
@@ -1114,14 +1114,14 @@
       <source>%1 is ready: %n sherd(s).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Η %1 υπολογίστηκε: %n όστρακο.</numerusform>
-        <numerusform>Η %1 υπολογίστηκε: %n όστρακα.</numerusform>
+        <numerusform>Η %1 είναι έτοιμη: %n όστρακο.</numerusform>
+        <numerusform>Η %1 είναι έτοιμη: %n όστρακα.</numerusform>
       </translation>
     </message>
     <message>
       <source>You cancelled it. Finished stages are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τη σταματήσατε. Ό,τι υπολογίστηκε ως τώρα κρατιέται.</translation>
+      <translation>Την ακυρώσατε. Τα ολοκληρωμένα στάδια είναι αποθηκευμένα.</translation>
     </message>
     <message>
       <source>You removed it from the queue.</source>
@@ -1139,12 +1139,12 @@
     <message>
       <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η κάμερα %1 μετακινήθηκε: χάνει τα σημάδια κατά %2 px, %3 mm από τη θέση βαθμονόμησης.</translation>
+      <translation>Η κάμερα %1 μετακινήθηκε: χάνει τους δείκτες κατά %2 px, %3 mm από εκεί όπου βαθμονομήθηκε.</translation>
     </message>
     <message>
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν έφτασε στο τέλος της· υπολογίστε την ξανά.</translation>
+      <translation>Διακόπηκε· επανεπεξεργαστείτε την.</translation>
     </message>
 </context>
 <context>
@@ -1269,7 +1269,7 @@
     <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακοπή και ανάκληση</translation>
+      <translation>Ακύρωση και αναίρεση</translation>
     </message>
 </context>
 <context>
@@ -1468,7 +1468,7 @@
     <message>
       <source>Import cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εισαγωγή διακόπηκε· δεν έμεινε τίποτα.</translation>
+      <translation>Η εισαγωγή ακυρώθηκε· δεν έμεινε τίποτα.</translation>
     </message>
     <message>
       <source>Import anyway</source>
@@ -1478,7 +1478,7 @@
     <message>
       <source>Photograph this side again?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Να φωτογραφηθεί ξανά αυτή η πλευρά;</translation>
+      <translation>Να φωτογραφηθεί ξανά αυτή η όψη;</translation>
     </message>
     <message>
       <source>Keep these numbers</source>
@@ -1695,7 +1695,7 @@
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η %1 διακόπηκε στη μέση αυτής της πλευράς.</translation>
+      <translation>Η %1 διακόπηκε στη μέση αυτής της όψης.</translation>
     </message>
     <message>
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
@@ -1710,7 +1710,7 @@
     <message>
       <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι φωτογραφίες αυτής της πλευράς δεν έχουν κανένα πρόβλημα. Πατήστε ξανά «Φωτογράφιση ξανά» για να μπουν όλες στην άκρη και να ληφθούν νέες.</translation>
+      <translation>Οι φωτογραφίες αυτής της όψης δεν έχουν κανένα πρόβλημα. Πατήστε ξανά «Φωτογράφιση ξανά» για να μπουν όλες στην άκρη και να ληφθούν νέες.</translation>
     </message>
     <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
@@ -1745,7 +1745,7 @@
     <message>
         <source>Resume at position %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Συνέχεια στη θέση %1</translation>
+        <translation>Συνέχεια στη στάση %1</translation>
     </message>
     <message>
         <source>Shoot the backs</source>
@@ -1760,7 +1760,7 @@
     <message>
         <source>Position %1 of %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Θέση %1 από %2</translation>
+        <translation>Στάση %1 από %2</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
@@ -1781,8 +1781,8 @@
       <source>The %n photograph(s) of this side so far are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Η φωτογραφία αυτής της όψης είναι ασφαλής.</numerusform>
-        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι ασφαλείς.</numerusform>
+        <numerusform>Η φωτογραφία αυτής της όψης είναι αποθηκευμένη.</numerusform>
+        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι αποθηκευμένες.</numerusform>
       </translation>
     </message>
     <message>
@@ -1798,7 +1798,7 @@
     <message>
       <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μπροστινή όψη επάνω, απόσταση ενός δακτύλου, τα σημάδια στο χείλος ελεύθερα.</translation>
+      <translation>Μπροστινή όψη επάνω, απόσταση ενός δακτύλου, οι δείκτες στην άκρη του δίσκου ελεύθεροι.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -1813,7 +1813,7 @@
     <message>
       <source>Accept and queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Είναι σωστό: στην ουρά</translation>
+      <translation>Αποδοχή και στην ουρά</translation>
     </message>
     <message numerus="yes">
       <source>%n photograph(s) saved</source>
@@ -1826,7 +1826,7 @@
     <message>
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σημάδια %1 από %2</translation>
+      <translation>Δείκτες %1 από %2</translation>
     </message>
     <message>
       <source>Releasing the camera from the desktop</source>
@@ -1841,7 +1841,7 @@
     <message>
       <source>Markers %1 of %2, %3 needed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σημάδια %1 από %2, χρειάζονται %3</translation>
+      <translation>Δείκτες %1 από %2, χρειάζονται %3</translation>
     </message>
     <message>
       <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
@@ -1851,7 +1851,7 @@
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Η τράπεζα είναι ακίνητη. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
+        <translation>Το περιστρεφόμενο τραπέζι είναι ακίνητο. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
     </message>
 </context>
 <context>
@@ -2007,7 +2007,7 @@
     <message>
         <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ένα ακυρωμένο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε δίσκο, και ο αριθμός του δεν ξαναδίνεται. Είναι ακυρωμένο το %1: «%2»;</translation>
+        <translation>Ένα άκυρο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε δίσκο, και ο αριθμός του δεν ξαναδίνεται. Είναι άκυρο το %1: «%2»;</translation>
     </message>
     <message>
       <source>Import…</source>
@@ -2017,12 +2017,12 @@
     <message>
       <source>Dismiss</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Να μην αναφερθεί ξανά</translation>
+      <translation>Παράβλεψη</translation>
     </message>
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ναι, είναι ακυρωμένο</translation>
+        <translation>Ακύρωση οστράκου</translation>
     </message>
 </context>
 <context>
@@ -2173,22 +2173,22 @@
     <message>
       <source>Shaded form</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φως και σκιά της μορφής</translation>
+      <translation>Σκιασμένη μορφή</translation>
     </message>
     <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όπως λένε τα μέρη, ή όπως είναι πιθανό</translation>
+      <translation>Αυτόματα</translation>
     </message>
     <message>
       <source>Rim sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Είναι χείλος</translation>
+      <translation>Όστρακο χείλους</translation>
     </message>
     <message>
       <source>No rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι χείλος</translation>
+      <translation>Χωρίς χείλος</translation>
     </message>
     <message>
       <source>Save…</source>
@@ -2213,7 +2213,7 @@
     <message>
       <source>Cancelled. Nothing was drawn.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν σχεδιάστηκε τίποτα.</translation>
+      <translation>Ακυρώθηκε. Δεν σχεδιάστηκε τίποτα.</translation>
     </message>
     <message numerus="yes">
       <source>Drawing %n sherd(s)…</source>
@@ -2304,7 +2304,7 @@
     <message>
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν έμεινε τίποτα πίσω.</translation>
+      <translation>Ακυρώθηκε. Δεν έμεινε τίποτα.</translation>
     </message>
 </context>
 <context>
@@ -2638,7 +2638,7 @@
     <message>
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: δεν έχει δίκτυο μέσα.</translation>
+      <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: το πρόγραμμα δεν χρησιμοποιεί δίκτυο.</translation>
     </message>
 </context>
 <context>
@@ -2807,19 +2807,19 @@
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καταχωρίστηκαν: %1</translation>
+      <translation>Εισήχθησαν: %1</translation>
     </message>
     <message>
       <source>Cancel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία καταχώριση</translation>
+      <translation>Ακύρωση</translation>
     </message>
     <message numerus="yes">
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Καταχώριση %n γραμμής</numerusform>
-        <numerusform>Καταχώριση %n γραμμών</numerusform>
+        <numerusform>Εισαγωγή %n γραμμής</numerusform>
+        <numerusform>Εισαγωγή %n γραμμών</numerusform>
       </translation>
     </message>
 </context>
@@ -2856,7 +2856,7 @@
     <message>
       <source>Cancelled. Nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν καταχωρίστηκε τίποτα.</translation>
+      <translation>Ακυρώθηκε. Δεν εισήχθη τίποτα.</translation>
     </message>
     <message numerus="yes">
       <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
@@ -2877,7 +2877,7 @@
     <message>
       <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ποια μπροστινή όψη ανήκει σε εκείνη του %1; Επιλέξτε την κάρτα της (βέλη και Enter)· ένα κλικ στην εικόνα μιας πίσω όψης ενώνει τις πίσω.</translation>
+      <translation>Ποια μπροστινή όψη ανήκει σε εκείνη του %1; Επιλέξτε την κάρτα της (βέλη και Enter)· ένα κλικ στην εικόνα μιας πίσω όψης συγχωνεύει τις πίσω όψεις.</translation>
     </message>
 </context>
 <context>
@@ -3000,7 +3000,7 @@
     <message>
       <source>Queue: editing masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ουρά: διόρθωση μασκών</translation>
+      <translation>Ουρά: επεξεργασία μασκών</translation>
     </message>
     <message>
       <source>%1 (read-only)</source>
@@ -3337,7 +3337,7 @@
     <message>
       <source>Stopped; the back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακόπηκε· η πίσω πλευρά μένει όπου ήταν.</translation>
+      <translation>Διακόπηκε· η πίσω όψη μένει όπου ήταν.</translation>
     </message>
     <message>
       <source>What was only tried is gone: its pairs were closed since.</source>
@@ -3362,37 +3362,37 @@
     <message>
       <source>The fractures do not touch here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές δεν συναντιούνται εδώ.</translation>
+      <translation>Οι θραύσεις δεν ακουμπούν εδώ.</translation>
     </message>
     <message>
       <source>Fractures %1 apart, %2 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ακμές σε απόσταση %1, συναντιέται το %2.</translation>
+      <translation>Θραύσεις σε απόσταση %1, ακουμπά το %2.</translation>
     </message>
     <message>
       <source>Turned by hand; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στράφηκε με το χέρι· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
+      <translation>Στράφηκε με το χέρι· το B βελτιώνει την προσαρμογή.</translation>
     </message>
     <message>
       <source>Start point %1; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αρχικό σημείο %1· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
+      <translation>Αρχικό σημείο %1· το B βελτιώνει την προσαρμογή.</translation>
     </message>
     <message>
       <source>One of the two has no back to merge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για ένωση.</translation>
+      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για συγχώνευση.</translation>
     </message>
     <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ρύθμιση από τις ακμές</translation>
+      <translation>βελτίωση της προσαρμογής</translation>
     </message>
     <message>
       <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το ζεύγος δεν έχει ακόμη κλειστό μοντέλο· γίνεται όταν υπολογιστεί η παρτίδα.</translation>
+      <translation>Αυτό το ζεύγος δεν έχει ακόμη κλειστό μοντέλο. Επανεπεξεργαστείτε την παρτίδα για να γίνει.</translation>
     </message>
     <message>
       <source>This back has no partner.</source>
@@ -3402,7 +3402,7 @@
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι ακμές του %1 και του %2 μόλις συναντιούνται: το %3.</translation>
+      <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι θραύσεις του %1 και του %2 μόλις ακουμπούν: το %3.</translation>
     </message>
 </context>
 <context>
@@ -3600,7 +3600,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Νέα βαθμονόμηση</translation>
+        <translation>Νέα βαθμονόμηση διάταξης</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -3668,7 +3668,7 @@
     <message>
       <source>Screens</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταθμοί</translation>
+      <translation>Οθόνες</translation>
     </message>
 </context>
 <context>
@@ -3821,7 +3821,7 @@
     <message>
         <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Συγχώνευση δύο θραυσμάτων ενός οστράκου: επιλέξτε μετά την άλλη κάρτα (J πρόσθιες, Shift+J πίσω)</translation>
+        <translation>Συγχώνευση δύο θραυσμάτων ενός οστράκου: επιλέξτε μετά την άλλη κάρτα (J μπροστινές όψεις, Shift+J πίσω όψεις)</translation>
     </message>
     <message>
         <source>Merge backs</source>
@@ -3836,12 +3836,12 @@
     <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σύγκριση των ακμών … Το Esc διακόπτει.</translation>
+      <translation>Σύγκριση των θραύσεων … Το Esc διακόπτει.</translation>
     </message>
     <message>
       <source>Refining the fit, fracture gap %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι ακμές προσαρμόζονται: %1. Το Esc διακόπτει.</translation>
+      <translation>Βελτίωση της προσαρμογής, κενό θραύσης %1. Το Esc διακόπτει.</translation>
     </message>
 </context>
 <context>
@@ -3919,12 +3919,12 @@
     <message>
       <source>%1 is queued; only what changed is reprocessed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η %1 περιμένει υπολογισμό· ξαναγίνεται μόνο ό,τι άλλαξε.</translation>
+      <translation>Η %1 είναι σε αναμονή· επανεπεξεργάζεται μόνο ό,τι άλλαξε.</translation>
     </message>
     <message>
       <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Τα ζεύγη των νέων κομματιών έρχονται με τον υπολογισμό.</translation>
+      <translation>Αποθηκεύτηκε. Τα ζεύγη των νέων θραυσμάτων εμφανίζονται μετά την επανεπεξεργασία.</translation>
     </message>
     <message>
       <source>Undone. The history keeps both.</source>
@@ -3934,14 +3934,14 @@
     <message>
       <source>No pairs to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κανένα ζεύγος δεν χρειάζεται τη ματιά σας</translation>
+      <translation>Δεν υπάρχουν ζεύγη για έλεγχο</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n ζεύγος χρειάζεται τη ματιά σας</numerusform>
-        <numerusform>%n ζεύγη χρειάζονται τη ματιά σας</numerusform>
+        <numerusform>%n ζεύγος για έλεγχο</numerusform>
+        <numerusform>%n ζεύγη για έλεγχο</numerusform>
       </translation>
     </message>
     <message>
@@ -3952,12 +3952,12 @@
     <message>
       <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο δεν θα έχει αριθμό και ο %1 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
+      <translation>Αποθηκεύτηκε. Μετά την επανεπεξεργασία το συγχωνευμένο όστρακο δεν έχει αριθμό και ο %1 δεν έχει θραύσμα. Η αναίρεση τα χωρίζει πάλι.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο κρατά τον αριθμό %1 και ο %2 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
+      <translation>Αποθηκεύτηκε. Μετά την επανεπεξεργασία το συγχωνευμένο όστρακο κρατά τον αριθμό %1 και ο %2 δεν έχει θραύσμα. Η αναίρεση τα χωρίζει πάλι.</translation>
     </message>
     <message>
       <source>%1 has no scale: no length shown here is in millimetres.</source>
@@ -3967,7 +3967,7 @@
     <message>
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε. Κατά τον υπολογισμό ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα ενώνει πάλι.</translation>
+      <translation>Αποθηκεύτηκε. Μετά την επανεπεξεργασία ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα συγχωνεύει πάλι.</translation>
     </message>
 </context>
 <context>
@@ -4401,7 +4401,7 @@
     <message>
       <source>Cancelled. Nothing was changed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτησε· δεν άλλαξε τίποτα.</translation>
+      <translation>Ακυρώθηκε. Δεν άλλαξε τίποτα.</translation>
     </message>
 </context>
 <context>
@@ -5136,7 +5136,7 @@
     <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διακόπηκε κατόπιν αιτήματος.</translation>
+      <translation>Ακυρώθηκε.</translation>
     </message>
     <message>
       <source>The camera is not plugged in.</source>
@@ -5271,17 +5271,17 @@
     <message>
       <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα αποτελέσματα αυτής της παρτίδας δεν υπάρχουν πια· υπολογίστε την ξανά και μετά αποφασίστε.</translation>
+      <translation>Τα αποτελέσματα αυτής της παρτίδας δεν υπάρχουν πια· επανεπεξεργαστείτε την και μετά αποφασίστε.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: οι φωτογραφίες της προέρχονται από διαφορετικές κάμερες (%2)· δώστε σε κάθε κάμερα δικό της όνομα, γιατί υπολογίζεται ένας φακός για όσες έχουν το ίδιο.</translation>
+      <translation>Κάμερα %1: οι φωτογραφίες της προέρχονται από διαφορετικές κάμερες (%2)· δώστε σε κάθε κάμερα δικό της όνομα, γιατί οι φωτογραφίες με το ίδιο όνομα κάμερας μοιράζονται μία βαθμονόμηση φακού.</translation>
     </message>
     <message>
       <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: η εστιακή της απόσταση δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· υπολογίζεται ένας φακός για όλες, οπότε σταθεροποιήστε το ζουμ και φωτογραφίστε ξανά.</translation>
+      <translation>Κάμερα %1: η εστιακή της απόσταση δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· όλες μοιράζονται μία βαθμονόμηση φακού, οπότε σταθεροποιήστε το ζουμ και φωτογραφίστε ξανά.</translation>
     </message>
     <message>
       <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
@@ -5346,7 +5346,7 @@
     <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα περίβλημα χρειάζεται τουλάχιστον 3 φωτογραφίες· φωτογραφίστε το κομμάτι από περισσότερες πλευρές.</translation>
+      <translation>Ένα περίβλημα χρειάζεται τουλάχιστον 3 φωτογραφίες· φωτογραφίστε το αντικείμενο από περισσότερες κατευθύνσεις.</translation>
     </message>
     <message>
       <source>The cameras do not view a common area; check their poses.</source>
@@ -5381,7 +5381,7 @@
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· διαβάστε το ως εξαγωγή.</translation>
+      <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· εισαγάγετέ το ως εξαγωγή.</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
@@ -5711,7 +5711,7 @@
     <message>
       <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο δίσκος χρειάζεται 'dictionary' και 'markers' με ένα id και τέσσερις γωνίες τριών αριθμών η καθεμία· το 'diameter', αν δίνεται, είναι αριθμός σε mm.</translation>
+      <translation>Το αρχείο του δίσκου χρειάζεται 'dictionary' και 'markers' με ένα id και τέσσερις γωνίες τριών αριθμών η καθεμία· το 'diameter', αν δίνεται, είναι αριθμός σε mm, το 'sheet' το πλάτος και το ύψος του χαρτιού.</translation>
     </message>
     <message>
       <source>The plate file lists no markers.</source>
@@ -5791,7 +5791,7 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το περιστρεφόμενο τραπέζι δεν λέει πού βρίσκεται.</translation>
+      <translation>Το περιστρεφόμενο τραπέζι δεν αναφέρει τη στάση του.</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
@@ -6056,7 +6056,7 @@
     <message>
       <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το μέρος 'devices' δεν διαβάζεται· συγκρίνετέ το με το κεφάλαιο του README για τις συσκευές.</translation>
+      <translation>Το μέρος 'devices' δεν διαβάζεται· συγκρίνετέ το με το docs/devices.md.</translation>
     </message>
     <message>
       <source>The number of positions must be between 3 and 99.</source>
@@ -6126,32 +6126,32 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'move' πρέπει να περιέχει {target} ή {by}.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'move' πρέπει να περιέχει {target} ή {by}.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'accepted' πρέπει να λέει πώς απαντά.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'accepted' πρέπει να λέει πώς απαντά.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: τα 'query' και 'position' πάνε μαζί.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: τα 'query' και 'position' πάνε μαζί.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'reply_s' πρέπει να είναι μεγαλύτερο από 0.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'reply_s' πρέπει να είναι μεγαλύτερο από 0.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το '%1' δεν είναι κανονική έκφραση.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το '%1' δεν είναι κανονική έκφραση.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'position' χρειάζεται μια ομάδα για τη γωνία.</translation>
+      <translation>Η διάλεκτος του περιστρεφόμενου τραπεζιού: το 'position' χρειάζεται μια ομάδα για τη γωνία.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
@@ -6436,7 +6436,7 @@
     <message>
       <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Είναι προσχέδιο από πιο χονδρικές φωτογραφίες· υπολογίστε ξανά την παρτίδα για οριστικές μετρήσεις.</translation>
+      <translation>Είναι προσχέδιο από σμικρυμένες φωτογραφίες· επανεπεξεργαστείτε την παρτίδα για οριστικές μετρήσεις.</translation>
     </message>
     <message>
       <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
@@ -6541,7 +6541,7 @@
     <message>
       <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το έργο έγινε με νεότερο Ostraka (κατάλογος έκδοση %1, αυτό το πρόγραμμα γνωρίζει %2)· εγκαταστήστε εκείνο, δεν άλλαξε τίποτα.</translation>
+      <translation>Ένα νεότερο Ostraka έφτιαξε αυτό το έργο (κατάλογος έκδοση %1, αυτό το πρόγραμμα υποστηρίζει %2). Τίποτα δεν άλλαξε. Εγκαταστήστε τη νεότερη έκδοση.</translation>
     </message>
     <message>
       <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
@@ -6641,12 +6641,12 @@
     <message>
       <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ενώνονται δύο ή περισσότερα κομμάτια.</translation>
+      <translation>Μια συγχώνευση χρειάζεται δύο ή περισσότερα θραύσματα.</translation>
     </message>
     <message>
       <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κόβεται ένα κομμάτι.</translation>
+      <translation>Μια διαίρεση χρειάζεται ακριβώς ένα θραύσμα.</translation>
     </message>
     <message>
       <source>The name of a person must not be empty.</source>
@@ -7271,7 +7271,7 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το όστρακο δεν έχει ακόμη μοντέλο και δεν μπορεί να σχεδιαστεί· υπολογίστε πρώτα την παρτίδα του.</translation>
+      <translation>Αυτό το όστρακο δεν έχει ακόμη μοντέλο και δεν μπορεί να σχεδιαστεί· επεξεργαστείτε πρώτα την παρτίδα του.</translation>
     </message>
     <message>
       <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
@@ -7296,7 +7296,7 @@
     <message>
       <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το μοντέλο ή η εικόνα του οστράκου %1 δεν είναι αυτό που καταχωρίστηκε· υπολογίστε ξανά την παρτίδα του %2.</translation>
+      <translation>Αυτό το μοντέλο ή η εικόνα του οστράκου %1 διαφέρει από το καταχωρισμένο· επανεπεξεργαστείτε την παρτίδα του %2.</translation>
     </message>
     <message>
       <source>%1 is exported in full detail: %2</source>
@@ -7581,7 +7581,7 @@
     <message>
       <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό δεν είναι πίνακας υποψηφίων· υπολογίστε ξανά την παρτίδα, μόνο τα ζεύγη της γίνονται εκ νέου.</translation>
+      <translation>Αυτό δεν είναι πίνακας υποψηφίων· επανεπεξεργαστείτε την παρτίδα, μόνο τα ζεύγη της γίνονται εκ νέου.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
@@ -7616,12 +7616,12 @@
     <message>
       <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα κομμάτια που ενώνονται πρέπει να είναι της ίδιας όψης.</translation>
+      <translation>Τα θραύσματα που συγχωνεύονται πρέπει να είναι της ίδιας όψης.</translation>
     </message>
     <message>
       <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια κοπή χρειάζεται ένα κομμάτι και μια γραμμή τουλάχιστον ενός χιλιοστού.</translation>
+      <translation>Μια διαίρεση χρειάζεται ένα θραύσμα και μια γραμμή τουλάχιστον 1 mm.</translation>
     </message>
     <message>
       <source>Nothing is selected to withdraw.</source>
@@ -7666,7 +7666,7 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 ίσως είναι δύο όστρακα που αγγίζονται, τα %2 και %3 της άλλης όψης: κόψτε το στον έλεγχο, ή απομακρύνετέ τα και φωτογραφίστε ξανά την όψη του.</translation>
+      <translation>Το %1 ίσως είναι δύο όστρακα που αγγίζονται, τα %2 και %3 της άλλης όψης: διαιρέστε το στον έλεγχο, ή απομακρύνετέ τα και φωτογραφίστε ξανά την όψη του.</translation>
     </message>
     <message>
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
@@ -7676,7 +7676,7 @@
     <message>
       <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπάρχουν ακόμη μάσκες αυτής της παρτίδας· αφήστε πρώτα να υπολογιστεί.</translation>
+      <translation>Αυτή η παρτίδα δεν έχει ακόμη μάσκες· επεξεργαστείτε την πρώτα.</translation>
     </message>
     <message>
       <source>This file does not state how well the rig fits.</source>
@@ -7716,12 +7716,12 @@
     <message>
       <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα ζεύγος ονομάζει σάρωση που δεν υπάρχει· διαγράψτε αυτό το αρχείο και ξεκινήστε ξανά.</translation>
+      <translation>Ένα ζεύγος αναφέρει σάρωση που δεν υπάρχει· διαγράψτε αυτό το αρχείο και επανεπεξεργαστείτε την παρτίδα.</translation>
     </message>
     <message>
       <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό δεν είναι πίνακας ζευγών· διαγράψτε τον και ξεκινήστε ξανά.</translation>
+      <translation>Αυτό δεν είναι πίνακας ζευγών· διαγράψτε τον και επανεπεξεργαστείτε την παρτίδα.</translation>
     </message>
     <message>
       <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
@@ -7746,12 +7746,12 @@
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όλες οι φωτογραφίες της πίσω πλευράς είναι θολές: ακόμη και στην πιο καθαρή οι ακμές των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την πλευρά.</translation>
+      <translation>Όλες οι φωτογραφίες της πίσω όψης είναι θολές: ακόμη και στην πιο καθαρή οι άκρες των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
       <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όλες οι φωτογραφίες της μπροστινής πλευράς είναι θολές: ακόμη και στην πιο καθαρή οι ακμές των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την πλευρά.</translation>
+      <translation>Όλες οι φωτογραφίες της μπροστινής όψης είναι θολές: ακόμη και στην πιο καθαρή οι άκρες των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
@@ -7761,12 +7761,12 @@
     <message>
       <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 ενώνει κομμάτια που δεν υπάρχουν πια· αποφασίστε ξανά.</translation>
+      <translation>Η απόφαση %1 από %2 συγχωνεύει θραύσματα που δεν υπάρχουν πια· αποφασίστε ξανά.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 κόβει κομμάτι που δεν υπάρχει, ή δίπλα του· αποφασίστε ξανά.</translation>
+      <translation>Η απόφαση %1 από %2 διαιρεί θραύσμα που δεν υπάρχει, ή το αστοχεί· αποφασίστε ξανά.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
@@ -7776,7 +7776,7 @@
     <message>
       <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι φωτογραφίες δεν δείχνουν δίσκο με δείκτες, οπότε το πρόγραμμα %1 πρέπει να βρει τις κάμερες, και δεν είναι εγκατεστημένο.</translation>
+      <translation>Οι φωτογραφίες δεν δείχνουν δίσκο με δείκτες, οπότε το πρόγραμμα %1 πρέπει να βρει τις κάμερες, και δεν είναι εγκατεστημένο· εγκαταστήστε το.</translation>
     </message>
     <message>
       <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
@@ -7786,7 +7786,7 @@
     <message>
       <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κλείστε άλλα προγράμματα, ή υπολογίστε ένα προσχέδιο.</translation>
+      <translation>Κλείστε άλλα προγράμματα, ή επεξεργαστείτε ένα προσχέδιο.</translation>
     </message>
     <message>
       <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
@@ -7836,7 +7836,7 @@
     <message>
       <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα ζεύγη αυτής της παρτίδας δεν έχουν υπολογιστεί ακόμη ή υπολογίστηκαν από παλαιότερο πρόγραμμα· υπολογίστε ξανά την παρτίδα: ό,τι είναι πλήρες διατηρείται.</translation>
+      <translation>Τα ζεύγη αυτής της παρτίδας δεν έχουν επεξεργαστεί ακόμη ή είναι από παλαιότερη έκδοση του Ostraka· επανεπεξεργαστείτε την παρτίδα: ό,τι είναι πλήρες διατηρείται.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -8006,7 +8006,7 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Κανένα όστρακο δεν είναι σημειωμένο σε αυτή τη φωτογραφία· παραλείπεται.</translation>
+      <translation>%1: Η μάσκα δεν σημειώνει κανένα όστρακο σε αυτή τη φωτογραφία· παραλείπεται.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
@@ -8016,12 +8016,12 @@
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
+      <translation>Οι μάσκες σημειώνουν όστρακα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
+      <translation>Οι μάσκες σημειώνουν όστρακα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8031,7 +8031,7 @@
     <message>
       <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Συναντιούνται λιγότερα από 10 σημεία των θραύσεων· ξεκινήστε από καλύτερη θέση.</translation>
+      <translation>Λιγότερα από 10 σημεία των θραύσεων ταιριάζουν· ξεκινήστε από καλύτερη θέση.</translation>
     </message>
     <message>
       <source>No start pose was given for the registration.</source>
@@ -8046,7 +8046,7 @@
     <message>
       <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με την ακμή του.</translation>
+      <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με τη θραύση του.</translation>
     </message>
     <message>
       <source>%1: The board was not detected; this picture is left out.</source>
@@ -8101,7 +8101,7 @@
     <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι δείκτες του φύλλου διαβάζονται σε %1 από %2 φωτογραφίες της πλευράς %3· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι το plate.json περιγράφει αυτό το φύλλο, ότι οι φωτογραφίες δεν είναι ανεστραμμένες και ότι οι περισσότεροι δείκτες είναι μέσα στην εικόνα.</translation>
+      <translation>Οι δείκτες του φύλλου διαβάζονται σε %1 από %2 φωτογραφίες της όψης %3· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι το plate.json περιγράφει αυτό το φύλλο, ότι οι φωτογραφίες δεν είναι ανεστραμμένες και ότι οι περισσότεροι δείκτες είναι μέσα στην εικόνα.</translation>
     </message>
     <message>
       <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
@@ -8121,7 +8121,7 @@
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φωτογραφήθηκε μόνο μία πλευρά: οι %1 σαρώσεις της είναι ανοιχτές επιφάνειες χωρίς πίσω όψη· βρίσκονται στο 'unpaired'.</translation>
+      <translation>Φωτογραφήθηκε μόνο μία όψη: οι %1 σαρώσεις της είναι ανοιχτές επιφάνειες χωρίς πίσω όψη· βρίσκονται στο 'unpaired'.</translation>
     </message>
     <message>
       <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
@@ -8176,7 +8176,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: δεν φαίνεται κανένας δείκτης· δείχνει αυτή τη στάση; Αν όχι, τραβήξτε την ξανά.</translation>
+      <translation>%1: δεν φαίνεται κανένας δείκτης· ελέγξτε ότι η φωτογραφία δείχνει αυτή τη στάση. Αν όχι, τραβήξτε την ξανά.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
@@ -8766,12 +8766,12 @@
     <message>
       <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το COLMAP δεν βρίσκει πώς συνδέονται αυτές οι φωτογραφίες· τα μηνύματά του βρίσκονται σε αυτό το αρχείο. Δείτε αν όλες δείχνουν τα ίδια όστρακα με μεγάλη επικάλυψη, ή φωτογραφίστε σε πλάκα με σημάδια.</translation>
+      <translation>Το COLMAP δεν μπορεί να ευθυγραμμίσει αυτές τις φωτογραφίες· η έξοδός του βρίσκεται σε αυτό το αρχείο. Ελέγξτε ότι όλες δείχνουν τα ίδια όστρακα με μεγάλη επικάλυψη, ή φωτογραφίστε σε δίσκο με δείκτες.</translation>
     </message>
     <message>
       <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το μοντέλο δεν υπάρχει πια· υπολογίστε ξανά την παρτίδα του.</translation>
+      <translation>Αυτό το μοντέλο λείπει· επανεπεξεργαστείτε την παρτίδα του.</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8846,7 +8846,7 @@
     <message>
       <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτή η παρτίδα φωτογραφίζεται τώρα· θα υπολογιστεί όταν τελειώσει η φωτογράφιση.</translation>
+      <translation>Αυτή η παρτίδα φωτογραφίζεται ακόμη· θα γίνει η επεξεργασία της μετά.</translation>
     </message>
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
@@ -8866,7 +8866,7 @@
     <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η παρτίδα δεν έχει υπολογιστεί ως το τέλος· αφήστε την ουρά να την υπολογίσει και τότε θα μπορείτε να δείτε τα ζεύγη της.</translation>
+      <translation>Η επεξεργασία της παρτίδας δεν ολοκληρώθηκε· αφήστε την ουρά να την επεξεργαστεί και μετά ελέγξτε τα ζεύγη της.</translation>
     </message>
     <message>
       <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
@@ -8881,7 +8881,7 @@
     <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει υπολογιστεί ακόμη.</translation>
+      <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει επεξεργαστεί ακόμη.</translation>
     </message>
     <message>
       <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
@@ -8986,7 +8986,7 @@
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εξαγωγή ορίζει στο έργο μια θέση όπου δεν ανήκει τέτοιο αρχείο· δεν καταχωρίστηκε τίποτα.</translation>
+      <translation>Η εξαγωγή δείχνει μια θέση του έργου όπου δεν ανήκει τέτοιο αρχείο· δεν εισήχθη τίποτα.</translation>
     </message>
     <message>
       <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
@@ -9016,12 +9016,12 @@
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα κομμάτι με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την μπροστινή όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
+      <translation>Ένα αντικείμενο με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την μπροστινή όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
     </message>
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα κομμάτι με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την πίσω όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
+      <translation>Ένα αντικείμενο με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την πίσω όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
     </message>
     <message>
       <source>If it is one, photograph it alone.</source>

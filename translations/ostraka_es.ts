@@ -24,7 +24,7 @@
     <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No importar</translation>
+      <translation>Cancelar importación</translation>
     </message>
 </context>
 <context>
@@ -50,12 +50,12 @@
     <message>
       <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: este número se escribió en la placa, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
+      <translation>%1: este número se escribió en el plato, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
     </message>
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mientras se calculaba la tanda se decidieron pares o se corrigieron máscaras; calcúlela de nuevo para ellos.</translation>
+      <translation>Mientras se procesaba la tanda se decidieron parejas o se editaron máscaras; reprocésela para tenerlas en cuenta.</translation>
     </message>
 </context>
 <context>
@@ -263,7 +263,7 @@
     <message>
       <source>unseen surface, %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>no visto, %</translation>
+      <translation>superficie no vista, %</translation>
     </message>
 </context>
 <context>
@@ -276,7 +276,7 @@
     <message>
       <source>Not enough memory. Close other programs and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La memoria no basta; cierre otros programas e inténtelo otra vez.</translation>
+      <translation>Memoria insuficiente. Cierre otros programas e inténtelo otra vez.</translation>
     </message>
 </context>
 <context>
@@ -548,7 +548,7 @@
     <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fotografiar otra vez</translation>
+      <translation>volver a fotografiar</translation>
     </message>
     <message>
       <source>%1 – %2</source>
@@ -661,7 +661,7 @@
     <message>
       <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, fotografiar otra vez</translation>
+      <translation>%1, volver a fotografiar</translation>
     </message>
     <message>
       <source>%1, void</source>
@@ -689,7 +689,7 @@
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>cara %1</translation>
+        <translation>anverso %1</translation>
     </message>
     <message>
         <source>back %1</source>
@@ -699,12 +699,12 @@
     <message>
         <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Unido con %1 por %2. Será un solo fragmento cuando se reprocese el lote.</translation>
+        <translation>Unido con %1 por %2. Será un solo trozo cuando se reprocese la tanda.</translation>
     </message>
     <message>
         <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Dividido por %1. Sus fragmentos aparecen al reprocesar el lote.</translation>
+        <translation>Dividido por %1. Sus trozos aparecen al reprocesar la tanda.</translation>
     </message>
     <message>
         <source>Merged</source>
@@ -719,7 +719,7 @@
     <message>
         <source>No front</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Sin cara</translation>
+        <translation>Sin anverso</translation>
     </message>
     <message>
         <source>This back is to be reshot.</source>
@@ -729,7 +729,7 @@
     <message>
         <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ninguna cara tiene este reverso. Arrástrelo a su cara, únalo con otro o apártelo.</translation>
+        <translation>Ningún anverso tiene este reverso. Arrástrelo a su anverso, únalo con otro o apártelo.</translation>
     </message>
     <message>
         <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
@@ -784,12 +784,12 @@
     <message>
         <source>Reshoot</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Repetir fotos</translation>
+        <translation>Volver a fotografiar</translation>
     </message>
     <message>
         <source>To be reshot, decided by %1 on %2.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Para repetir, decidido por %1 el %2.</translation>
+        <translation>Para volver a fotografiar, decidido por %1 el %2.</translation>
     </message>
     <message>
         <source>Replace with measured value</source>
@@ -839,22 +839,22 @@
     <message>
       <source>The fracture barely fixes the position: uncertain by %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El borde apenas fija la posición: incertidumbre de %1.</translation>
+      <translation>La fractura apenas fija la posición: incertidumbre de %1.</translation>
     </message>
     <message>
       <source>A position %1 along the contour fits almost as well.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un lugar a %1 por el borde encaja casi igual de bien.</translation>
+      <translation>Una posición a %1 por el contorno encaja casi igual de bien.</translation>
     </message>
     <message>
       <source>The fractures cannot be compared; only the outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes no se pueden comparar; solo los contornos unen estos lados.</translation>
+      <translation>Las fracturas no se pueden comparar; solo los contornos unen estos lados.</translation>
     </message>
     <message>
       <source>The fractures barely touch: %1 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes apenas se encuentran: el %1.</translation>
+      <translation>Las fracturas apenas se tocan: el %1.</translation>
     </message>
     <message>
       <source>refined</source>
@@ -864,12 +864,12 @@
     <message>
       <source>Turned by hand: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girado a mano: se encuentra el %1 de los bordes.</translation>
+      <translation>Girado a mano: se toca el %1 de las fracturas.</translation>
     </message>
     <message>
       <source>Trying another start point: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba otro punto inicial: se encuentra el %1 de los bordes.</translation>
+      <translation>Se prueba otro punto inicial: se toca el %1 de las fracturas.</translation>
     </message>
     <message>
       <source>Trying another start point.</source>
@@ -879,12 +879,12 @@
     <message>
       <source>Refined by the fractures: %1 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajustado por los bordes: se encuentra el %1.</translation>
+      <translation>Ajustado por las fracturas: se toca el %1.</translation>
     </message>
     <message>
       <source>Refined by the fractures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajustado por los bordes.</translation>
+      <translation>Ajustado por las fracturas.</translation>
     </message>
     <message>
       <source>Trying %1: %2.</source>
@@ -894,12 +894,12 @@
     <message>
       <source>Trying %1: %2, fractures %3 apart.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba %1: %2, bordes separados %3.</translation>
+      <translation>Se prueba %1: %2, fracturas separadas %3.</translation>
     </message>
     <message>
       <source>Trying %1: %2; its fractures do not touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se prueba %1: %2; los bordes no se encuentran.</translation>
+      <translation>Se prueba %1: %2; las fracturas no se tocan.</translation>
     </message>
     <message>
       <source>sherd %1 of %2</source>
@@ -1007,7 +1007,7 @@
     <message>
       <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1; el número %2 se escribió en su placa y ninguno de sus fragmentos lo tiene</translation>
+      <translation>%1; el número %2 se escribió en su plato y ninguno de sus fragmentos lo tiene</translation>
     </message>
     <message numerus="yes">
       <source>%1; %n photographed again since</source>
@@ -1060,7 +1060,7 @@
     <message>
         <source>Draft: review it, then reprocess it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Borrador: revíselo y luego reprocéselo</translation>
+        <translation>Borrador: revíselo y luego reprocese la tanda</translation>
     </message>
     <message>
         <source>Masks edited: reprocess it</source>
@@ -1101,8 +1101,8 @@
         <source>%1; %n to reshoot</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>
-            <numerusform>%1; %n por repetir</numerusform>
-            <numerusform>%1; %n por repetir</numerusform>
+            <numerusform>%1; %n por volver a fotografiar</numerusform>
+            <numerusform>%1; %n por volver a fotografiar</numerusform>
         </translation>
     </message>
     <message>
@@ -1114,14 +1114,14 @@
       <source>%1 is ready: %n sherd(s).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1 está calculada: %n fragmento.</numerusform>
-        <numerusform>%1 está calculada: %n fragmentos.</numerusform>
+        <numerusform>%1 está lista: %n fragmento.</numerusform>
+        <numerusform>%1 está lista: %n fragmentos.</numerusform>
       </translation>
     </message>
     <message>
       <source>You cancelled it. Finished stages are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Usted la detuvo. Lo calculado hasta ahora se conserva.</translation>
+      <translation>Usted la canceló. Las etapas terminadas están guardadas.</translation>
     </message>
     <message>
       <source>You removed it from the queue.</source>
@@ -1144,7 +1144,7 @@
     <message>
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No llegó a su fin; calcúlelo de nuevo.</translation>
+      <translation>Se interrumpió. Reprocésela.</translation>
     </message>
 </context>
 <context>
@@ -1269,7 +1269,7 @@
     <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detener y deshacer</translation>
+      <translation>Cancelar y deshacer</translation>
     </message>
 </context>
 <context>
@@ -1443,32 +1443,32 @@
     <message>
       <source>Stop turntable</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detener la mesa</translation>
+      <translation>Detener la mesa giratoria</translation>
     </message>
     <message>
       <source>Change rig…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro equipo…</translation>
+      <translation>Cambiar de equipo…</translation>
     </message>
     <message>
       <source>Loading picture…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen está en camino.</translation>
+      <translation>Cargando la imagen…</translation>
     </message>
     <message>
       <source>Check this first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mire esto primero</translation>
+      <translation>Compruebe esto primero</translation>
     </message>
     <message>
       <source>Type how many sherds lie there</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Decir cuántos fragmentos hay</translation>
+      <translation>Escribir cuántos fragmentos hay</translation>
     </message>
     <message>
       <source>Import cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La importación se ha detenido; no ha quedado nada.</translation>
+      <translation>Importación cancelada; no ha quedado nada.</translation>
     </message>
     <message>
       <source>Import anyway</source>
@@ -1478,12 +1478,12 @@
     <message>
       <source>Photograph this side again?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>¿Fotografiar esta cara otra vez?</translation>
+      <translation>¿Fotografiar este lado otra vez?</translation>
     </message>
     <message>
       <source>Keep these numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Son correctos</translation>
+      <translation>Conservar estos números</translation>
     </message>
     <message>
         <source>%1 The rig that worked before stays in use.</source>
@@ -1695,7 +1695,7 @@
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se interrumpió en mitad de esta cara.</translation>
+      <translation>%1 se interrumpió en mitad de este lado.</translation>
     </message>
     <message>
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
@@ -1720,7 +1720,7 @@
     <message>
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ha contado %1 fragmentos, las fotos muestran %2: mire si alguno está en partes o si hay algo que no es un fragmento, o corrija el número.</translation>
+      <translation>Ha contado %1 fragmentos, las fotos muestran %2: mire si alguno está en trozos o si hay algo que no es un fragmento, o corrija el número.</translation>
     </message>
     <message>
         <source>The rig does not open</source>
@@ -1781,14 +1781,14 @@
       <source>The %n photograph(s) of this side so far are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>La fotografía ya tomada de este lado está a salvo.</numerusform>
-        <numerusform>Las %n fotografías ya tomadas de este lado están a salvo.</numerusform>
+        <numerusform>La fotografía ya tomada de este lado está guardada.</numerusform>
+        <numerusform>Las %n fotografías ya tomadas de este lado están guardadas.</numerusform>
       </translation>
     </message>
     <message>
       <source>Camera %1 at position %2: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1, parada %2: %3</translation>
+      <translation>Cámara %1 en la posición %2: %3</translation>
     </message>
     <message>
       <source>Check the plate before you clear it</source>
@@ -1803,7 +1803,7 @@
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Manos fuera de la mesa. Esc la detiene al instante.</translation>
+      <translation>Manos fuera de la mesa giratoria. Esc la detiene al instante.</translation>
     </message>
     <message>
       <source>Space accepts anyway, R photographs the backs again.</source>
@@ -1813,14 +1813,14 @@
     <message>
       <source>Accept and queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Está bien: a la cola</translation>
+      <translation>Aceptar y poner en cola</translation>
     </message>
     <message numerus="yes">
       <source>%n photograph(s) saved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n fotografía a salvo</numerusform>
-        <numerusform>%n fotografías a salvo</numerusform>
+        <numerusform>%n fotografía guardada</numerusform>
+        <numerusform>%n fotografías guardadas</numerusform>
       </translation>
     </message>
     <message>
@@ -1836,7 +1836,7 @@
     <message>
       <source>Release camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hacer que el escritorio la suelte</translation>
+      <translation>Liberar cámara</translation>
     </message>
     <message>
       <source>Markers %1 of %2, %3 needed</source>
@@ -1851,7 +1851,7 @@
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>El plato está parado. Las fotos guardadas se conservan.</translation>
+        <translation>La mesa giratoria está parada. Las fotos guardadas se conservan.</translation>
     </message>
 </context>
 <context>
@@ -1972,12 +1972,12 @@
     <message>
         <source>Sherds appear here when a batch is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Los fragmentos aparecen aquí cuando se procesa un lote.</translation>
+        <translation>Los fragmentos aparecen aquí cuando se procesa una tanda.</translation>
     </message>
     <message>
         <source>Capture a batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar un lote</translation>
+        <translation>Capturar una tanda</translation>
     </message>
     <message>
         <source>No sherds match this filter</source>
@@ -2017,12 +2017,12 @@
     <message>
       <source>Dismiss</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No volver a avisar de esto</translation>
+      <translation>Descartar</translation>
     </message>
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Sí, está anulado</translation>
+        <translation>Anular fragmento</translation>
     </message>
 </context>
 <context>
@@ -2173,22 +2173,22 @@
     <message>
       <source>Shaded form</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Luz y sombra de la forma</translation>
+      <translation>Forma sombreada</translation>
     </message>
     <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Según las partes, o según lo probable</translation>
+      <translation>Automático</translation>
     </message>
     <message>
       <source>Rim sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un borde</translation>
+      <translation>Fragmento de borde</translation>
     </message>
     <message>
       <source>No rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un borde</translation>
+      <translation>Sin borde</translation>
     </message>
     <message>
       <source>Save…</source>
@@ -2213,7 +2213,7 @@
     <message>
       <source>Cancelled. Nothing was drawn.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenido; no se dibujó nada.</translation>
+      <translation>Cancelado. No se dibujó nada.</translation>
     </message>
     <message numerus="yes">
       <source>Drawing %n sherd(s)…</source>
@@ -2299,12 +2299,12 @@
     <message>
       <source>No sherds match this selection.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún fragmento cumple; elija otros.</translation>
+      <translation>Ningún fragmento cumple esta selección.</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenida; no quedó nada a medias.</translation>
+      <translation>Cancelada. No quedó nada a medias.</translation>
     </message>
 </context>
 <context>
@@ -2490,7 +2490,7 @@
     <message>
       <source>Folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>¿Dónde estará la carpeta?</translation>
+      <translation>Carpeta de la exportación</translation>
     </message>
     <message>
       <source>fit to A4</source>
@@ -2500,7 +2500,7 @@
     <message>
       <source>simplified, within %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>más ligeros, hasta %1 mm</translation>
+      <translation>simplificados, hasta %1 mm</translation>
     </message>
 </context>
 <context>
@@ -2742,7 +2742,7 @@
     <message>
       <source>updated</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cambiado</translation>
+      <translation>actualizado</translation>
     </message>
     <message>
       <source>rejected</source>
@@ -2752,7 +2752,7 @@
     <message>
       <source>unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>como está</translation>
+      <translation>sin cambios</translation>
     </message>
     <message>
       <source>Table (CSV)…</source>
@@ -2772,12 +2772,12 @@
     <message>
       <source>Save rejected rows…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardar lo rechazado …</translation>
+      <translation>Guardar filas rechazadas …</translation>
     </message>
     <message>
       <source>Save rejected rows</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardar lo rechazado</translation>
+      <translation>Guardar filas rechazadas</translation>
     </message>
     <message>
       <source>rejected.csv</source>
@@ -2792,34 +2792,34 @@
     <message>
       <source>Action</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>qué ocurre</translation>
+      <translation>Acción</translation>
     </message>
     <message>
       <source>Reason</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>por qué no</translation>
+      <translation>Motivo</translation>
     </message>
     <message>
       <source>Reading…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mirándola …</translation>
+      <translation>Leyendo …</translation>
     </message>
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anotado: %1</translation>
+      <translation>Importado: %1</translation>
     </message>
     <message>
       <source>Cancel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No tomar nada</translation>
+      <translation>Cancelar</translation>
     </message>
     <message numerus="yes">
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Anotar %n fila</numerusform>
-        <numerusform>Anotar %n filas</numerusform>
+        <numerusform>Importar %n fila</numerusform>
+        <numerusform>Importar %n filas</numerusform>
       </translation>
     </message>
 </context>
@@ -2851,19 +2851,19 @@
     <message>
       <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 nuevos, %2 cambiados, %3 como están, %4 rechazados.</translation>
+      <translation>%1 nuevos, %2 actualizados, %3 sin cambios, %4 rechazados.</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenido; no se anotó nada.</translation>
+      <translation>Cancelado. No se importó nada.</translation>
     </message>
     <message numerus="yes">
       <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Detenido: %n fila no se ha introducido. Importe la tabla otra vez para el resto.</numerusform>
-        <numerusform>Detenido: %n filas no se han introducido. Importe la tabla otra vez para el resto.</numerusform>
+        <numerusform>Cancelado: %n fila no se ha importado. Importe la tabla otra vez para el resto.</numerusform>
+        <numerusform>Cancelado: %n filas no se han importado. Importe la tabla otra vez para el resto.</numerusform>
       </translation>
     </message>
 </context>
@@ -3000,7 +3000,7 @@
     <message>
       <source>Queue: editing masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cola: corregir las máscaras</translation>
+      <translation>Cola: editar máscaras</translation>
     </message>
     <message>
       <source>%1 (read-only)</source>
@@ -3010,7 +3010,7 @@
     <message>
       <source>This project is read-only: you can look at everything, but change nothing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este proyecto solo se puede leer: mire todo; los cambios se rechazan.</translation>
+      <translation>Este proyecto es de solo lectura: puede mirarlo todo, pero no cambiar nada.</translation>
     </message>
 </context>
 <context>
@@ -3109,12 +3109,12 @@
     <message>
         <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Fotografíe o importe un lote. Cuando se procese, su plano muestra dónde estaba cada fragmento.</translation>
+        <translation>Fotografíe o importe una tanda. Cuando se procese, su plano muestra dónde estaba cada fragmento.</translation>
     </message>
     <message>
         <source>Capture a batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar un lote</translation>
+        <translation>Capturar una tanda</translation>
     </message>
 </context>
 <context>
@@ -3347,7 +3347,7 @@
     <message>
         <source>reshooting %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>repetición de %1</translation>
+        <translation>nueva fotografía de %1</translation>
     </message>
     <message>
         <source>merging %1 and %2</source>
@@ -3362,22 +3362,22 @@
     <message>
       <source>The fractures do not touch here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes no se encuentran aquí.</translation>
+      <translation>Las fracturas no se tocan aquí.</translation>
     </message>
     <message>
       <source>Fractures %1 apart, %2 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bordes separados %1, se encuentra el %2.</translation>
+      <translation>Fracturas separadas %1, se toca el %2.</translation>
     </message>
     <message>
       <source>Turned by hand; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girado a mano; B deja que los bordes ajusten.</translation>
+      <translation>Girado a mano; B afina el ajuste.</translation>
     </message>
     <message>
       <source>Start point %1; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Punto inicial %1; B deja que los bordes ajusten.</translation>
+      <translation>Punto inicial %1; B afina el ajuste.</translation>
     </message>
     <message>
       <source>One of the two has no back to merge.</source>
@@ -3387,22 +3387,22 @@
     <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ajuste por los bordes</translation>
+      <translation>ajuste por las fracturas</translation>
     </message>
     <message>
       <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta pareja aún no tiene modelo cerrado; se hace al calcular la tanda.</translation>
+      <translation>Esta pareja aún no tiene modelo cerrado. Reprocese la tanda para crearlo.</translation>
     </message>
     <message>
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este reverso está solo.</translation>
+      <translation>Este reverso no tiene pareja.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado, con su nombre; pero los bordes de %1 y %2 apenas se encuentran: el %3.</translation>
+      <translation>Guardado, con su nombre; pero las fracturas de %1 y %2 apenas se tocan: el %3.</translation>
     </message>
 </context>
 <context>
@@ -3483,7 +3483,7 @@
     <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>yacimiento-corte-contexto-bolsa, por favor</translation>
+      <translation>escriba yacimiento-corte-contexto-bolsa</translation>
     </message>
 </context>
 <context>
@@ -3595,7 +3595,7 @@
     <message>
         <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Procesa cada lote nuevo de forma rápida y tosca, para comprobarlo mientras los fragmentos siguen en el plato; reprocesarlo lo hace definitivo (D)</translation>
+        <translation>Procesa cada tanda nueva de forma rápida y tosca, para comprobarla mientras los fragmentos siguen en el plato; reprocesarla la hace definitiva (D)</translation>
     </message>
     <message>
         <source>Recalibrate rig</source>
@@ -3605,17 +3605,17 @@
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Lo que fotografíe o importe se procesa aquí, un lote tras otro, mientras sigue trabajando.</translation>
+        <translation>Lo que fotografíe o importe se procesa aquí, una tanda tras otra, mientras sigue trabajando.</translation>
     </message>
     <message>
         <source>Capture a batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar un lote</translation>
+        <translation>Capturar una tanda</translation>
     </message>
     <message>
         <source>Batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Lote</translation>
+        <translation>Tanda</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -3645,7 +3645,7 @@
     <message>
         <source>Cancel it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Cancelarlo</translation>
+        <translation>Cancelarla</translation>
     </message>
     <message>
         <source>Keep processing</source>
@@ -3668,7 +3668,7 @@
     <message>
       <source>Screens</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Puestos</translation>
+      <translation>Pantallas</translation>
     </message>
 </context>
 <context>
@@ -3776,7 +3776,7 @@
     <message>
         <source>Reshoot</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Repetir fotos</translation>
+        <translation>Volver a fotografiar</translation>
     </message>
     <message>
         <source>View</source>
@@ -3821,7 +3821,7 @@
     <message>
         <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Unir dos partes de un fragmento: elija luego la otra tarjeta (J caras, Mayús+J reversos)</translation>
+        <translation>Unir dos trozos de un fragmento: elija luego la otra tarjeta (J anversos, Mayús+J reversos)</translation>
     </message>
     <message>
         <source>Merge backs</source>
@@ -3836,12 +3836,12 @@
     <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparando los bordes … Esc detiene.</translation>
+      <translation>Comparando las fracturas … Esc detiene.</translation>
     </message>
     <message>
       <source>Refining the fit, fracture gap %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los bordes se asientan: %1. Esc detiene.</translation>
+      <translation>Ajuste en curso, separación de las fracturas %1. Esc detiene.</translation>
     </message>
 </context>
 <context>
@@ -3889,22 +3889,22 @@
     <message>
         <source>Reprocesses the pairs that were decided differently</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Reprocesa los pares decididos de otro modo</translation>
+        <translation>Reprocesa las parejas decididas de otro modo</translation>
     </message>
     <message>
         <source>No pairs to review yet</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Aún no hay pares que revisar</translation>
+        <translation>Aún no hay parejas que revisar</translation>
     </message>
     <message>
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Fotografíe o importe un lote. Sus pares aparecen aquí cuando se procese.</translation>
+        <translation>Fotografíe o importe una tanda. Sus parejas aparecen aquí cuando se procese.</translation>
     </message>
     <message>
         <source>Capture a batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar un lote</translation>
+        <translation>Capturar una tanda</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -3914,34 +3914,34 @@
     <message>
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 se volvió a fotografiar como %2 en %3 y ahora tiene dos registros. Anule uno en el catálogo o aparte aquí el fragmento.</translation>
+        <translation>%1 se volvió a fotografiar como %2 en %3 y ahora tiene dos registros. Anule uno en el catálogo o aparte aquí el trozo.</translation>
     </message>
     <message>
       <source>%1 is queued; only what changed is reprocessed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 espera a ser calculada; solo se repite lo que cambió.</translation>
+      <translation>%1 está en cola; solo se reprocesa lo que cambió.</translation>
     </message>
     <message>
       <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Las parejas de las piezas nuevas vienen con el cálculo.</translation>
+      <translation>Guardado. Las parejas de los trozos nuevos aparecen al reprocesar.</translation>
     </message>
     <message>
       <source>Undone. The history keeps both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Retirado. Ambos quedan en el historial.</translation>
+      <translation>Deshecho. Ambos quedan en el historial.</translation>
     </message>
     <message>
       <source>No pairs to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ninguna pareja necesita su ojo</translation>
+      <translation>No hay parejas que revisar</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n pareja necesita su ojo</numerusform>
-        <numerusform>%n parejas necesitan su ojo</numerusform>
+        <numerusform>%n pareja por revisar</numerusform>
+        <numerusform>%n parejas por revisar</numerusform>
       </translation>
     </message>
     <message>
@@ -3952,22 +3952,22 @@
     <message>
       <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Cuando se calcule, el fragmento unido no tendrá número y %1 queda sin pieza. Deshacer los separa de nuevo.</translation>
+      <translation>Guardado. Tras el reprocesado, el fragmento unido no tendrá número y %1 no tendrá trozo. Deshacer los separa de nuevo.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Cuando se calcule, el fragmento unido conserva el número %1 y %2 queda sin pieza. Deshacer los separa de nuevo.</translation>
+      <translation>Guardado. Tras el reprocesado, el fragmento unido conserva el número %1 y %2 no tiene trozo. Deshacer los separa de nuevo.</translation>
     </message>
     <message>
       <source>%1 has no scale: no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
+      <translation>%1 no tiene escala: ninguna longitud mostrada aquí está en milímetros.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado. Al calcular, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
+      <translation>Guardado. Tras el reprocesado, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
     </message>
 </context>
 <context>
@@ -4429,7 +4429,7 @@
     <message>
       <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: la escala del lote %2 es dudosa; su informe dice por qué y qué hacer.</translation>
+      <translation>%1: la escala de la tanda %2 es dudosa; su informe dice por qué y qué hacer.</translation>
     </message>
     <message>
         <source>%1: measured by hand; the computed value is kept beside it.</source>
@@ -4612,7 +4612,7 @@
     <message>
       <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 de %2 paradas hechas</translation>
+      <translation>%1 de %2 posiciones hechas</translation>
     </message>
 </context>
 <context>
@@ -4658,7 +4658,7 @@
     <message>
         <source>Distance between the sides along the fracture</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Distancia entre las caras a lo largo de la fractura</translation>
+        <translation>Distancia entre los lados a lo largo de la fractura</translation>
     </message>
     <message>
         <source>front outside by %1</source>
@@ -4724,7 +4724,7 @@
     <message>
       <source>%1, camera %2, position %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, cámara %2, parada %3</translation>
+      <translation>%1, cámara %2, posición %3</translation>
     </message>
 </context>
 <context>
@@ -4884,12 +4884,12 @@
     <message>
       <source>Example</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fragmento será</translation>
+      <translation>Ejemplo</translation>
     </message>
     <message>
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Numerar así desde ahora</translation>
+      <translation>Usar esta &amp;numeración</translation>
     </message>
 </context>
 <context>
@@ -4970,32 +4970,32 @@
     <message>
       <source>&amp;Save vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Guardar las palabras</translation>
+      <translation>&amp;Guardar vocabulario</translation>
     </message>
     <message>
       <source>&amp;One per line</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un&amp;a por línea</translation>
+      <translation>Un&amp;o por línea</translation>
     </message>
     <message>
       <source>Project vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Palabras del proyecto abierto</translation>
+      <translation>Vocabulario del proyecto</translation>
     </message>
     <message>
       <source>Terms, one per line</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Palabras, una por línea</translation>
+      <translation>Términos, uno por línea</translation>
     </message>
     <message>
       <source>change the vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cambiar las palabras</translation>
+      <translation>cambiar el vocabulario</translation>
     </message>
     <message>
       <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Estas palabras aún no están guardadas.</translation>
+      <translation>Estos términos aún no están guardados.</translation>
     </message>
 </context>
 <context>
@@ -5098,37 +5098,37 @@
     <message>
       <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay fragmentos que se tocan o casi se tocan en %1 desde el centro del plato: sepárelos y fotografíe otra vez.</translation>
+      <translation>Hay fragmentos que se tocan o casi se tocan en %1 desde el centro del plato: sepárelos y vuelva a fotografiar.</translation>
     </message>
     <message>
       <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que está en %1 desde el centro del plato se contó como uno, pero pueden ser dos fragmentos que se tocan: mire ahí; si es así, sepárelos y fotografíe otra vez.</translation>
+      <translation>Lo que está en %1 desde el centro del plato se contó como uno, pero pueden ser dos fragmentos que se tocan: compruébelo; si es así, sepárelos y vuelva a fotografiar.</translation>
     </message>
     <message>
       <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El dorso parece el anverso: dé la vuelta a los fragmentos y fotografíelos otra vez.</translation>
+      <translation>El reverso parece el anverso: dé la vuelta a los fragmentos y vuelva a fotografiarlos.</translation>
     </message>
     <message>
       <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se pudieron contar los fragmentos del dorso: compare usted mismo las imágenes antes de vaciar el plato.</translation>
+      <translation>No se pudieron contar los fragmentos del reverso: compare las imágenes antes de vaciar el plato.</translation>
     </message>
     <message>
       <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se pudieron contar los fragmentos del anverso: compare usted mismo las imágenes antes de vaciar el plato.</translation>
+      <translation>No se pudieron contar los fragmentos del anverso: compare las imágenes antes de vaciar el plato.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso mostró %1 fragmentos, el dorso %2: busque el que falta antes de vaciar el plato.</translation>
+      <translation>El anverso mostró %1 fragmentos, el reverso %2: busque el que falta antes de vaciar el plato.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso mostró %1 fragmentos, el dorso %2: ¿se añadió uno, o se rompió uno?</translation>
+      <translation>El anverso mostró %1 fragmentos, el reverso %2: compruebe si se añadió o se rompió uno.</translation>
     </message>
 </context>
 <context>
@@ -5136,7 +5136,7 @@
     <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Detenido a petición.</translation>
+      <translation>Cancelado.</translation>
     </message>
     <message>
       <source>The camera is not plugged in.</source>
@@ -5151,7 +5151,7 @@
     <message>
       <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara no responde; ¿está en reposo? Desactive su apagado automático.</translation>
+      <translation>La cámara no responde y puede estar en reposo. Desactive su apagado automático.</translation>
     </message>
     <message>
       <source>The camera stays busy; switch it off and on.</source>
@@ -5161,22 +5161,22 @@
     <message>
       <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se cortó la conexión con la cámara; revise su cable.</translation>
+      <translation>Falló la conexión con la cámara; revise su cable.</translation>
     </message>
     <message>
       <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro programa retiene la cámara, a menudo el gestor de archivos; 'ostraka devices' lo nombra.</translation>
+      <translation>Otro programa usa la cámara, a menudo el gestor de archivos; 'ostraka devices' lo nombra.</translation>
     </message>
     <message>
       <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara no se puede abrir; ¿puede usarla este usuario? Vea 'ostraka devices'.</translation>
+      <translation>La cámara no se puede abrir; revise los permisos de este usuario con 'ostraka devices'.</translation>
     </message>
     <message>
       <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No llegó ninguna foto de la cámara; ¿está enfocada y en modo manual?</translation>
+      <translation>No llegó ninguna foto de la cámara; compruebe que está enfocada y en modo manual.</translation>
     </message>
     <message>
       <source>The camera does not stop sending photographs.</source>
@@ -5191,7 +5191,7 @@
     <message>
       <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria no alcanza su ángulo; ¿está bloqueada?</translation>
+      <translation>La mesa giratoria no alcanza su ángulo; compruebe que nada la bloquea.</translation>
     </message>
     <message>
       <source>The turntable was paused with its own button.</source>
@@ -5201,7 +5201,7 @@
     <message>
       <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se conoce la posición de la mesa: llévela a cero o alinéela.</translation>
+      <translation>No se conoce la posición de la mesa giratoria: llévela a cero o alinéela.</translation>
     </message>
     <message>
       <source>The turntable does not answer on the network.</source>
@@ -5211,22 +5211,22 @@
     <message>
       <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El controlador se reinició; no se conoce la posición de la mesa.</translation>
+      <translation>El controlador se reinició; no se conoce la posición de la mesa giratoria.</translation>
     </message>
     <message>
       <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se perdió una respuesta de la mesa y no puede decir dónde está: llévela a cero o alinéela.</translation>
+      <translation>Se perdió una respuesta de la mesa giratoria, y no puede comunicar su posición: llévela a cero o alinéela.</translation>
     </message>
     <message>
       <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa no responde como un controlador GRBL: ¿está encendida y es de este tipo?</translation>
+      <translation>La mesa giratoria no responde como un controlador GRBL; compruebe que está encendida y es de este tipo.</translation>
     </message>
     <message>
       <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa no responde como una ComXim: ¿está encendida y es de este tipo?</translation>
+      <translation>La mesa giratoria no responde como una ComXim; compruebe que está encendida y es de este tipo.</translation>
     </message>
     <message>
       <source>USB does not work on this computer.</source>
@@ -5241,7 +5241,7 @@
     <message>
       <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El disco está lleno; libere espacio y empiece lo mismo otra vez.</translation>
+      <translation>El disco está lleno; libere espacio e inténtelo otra vez.</translation>
     </message>
     <message>
       <source>The disk is full; free some space, then try again. No data was lost.</source>
@@ -5251,7 +5251,7 @@
     <message>
       <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro programa mantiene ocupado el catálogo; ciérrelo e inténtelo otra vez.</translation>
+      <translation>Otro programa está usando el catálogo; ciérrelo e inténtelo otra vez.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>
@@ -5266,22 +5266,22 @@
     <message>
       <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yacimientos y cortes que no existían: %1; compruebe que ninguno sea una errata.</translation>
+      <translation>Yacimientos y cortes nuevos: %1; compruebe que no haya erratas.</translation>
     </message>
     <message>
       <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los resultados de esta tanda ya no están; calcúlela otra vez y decida después.</translation>
+      <translation>Los resultados de esta tanda ya no están; reprocésela y decida después.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: sus fotos proceden de cámaras distintas (%2); dé a cada cámara su propio nombre, pues se calcula un solo objetivo para todas las que tienen el mismo.</translation>
+      <translation>Cámara %1: sus fotos proceden de cámaras distintas (%2); dé a cada cámara su propio nombre, pues las fotos con el mismo nombre de cámara comparten una calibración del objetivo.</translation>
     </message>
     <message>
       <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: su distancia focal no es la misma en todas las fotos (%2); se calcula un solo objetivo para todas, así que fije el zoom y fotografíe otra vez.</translation>
+      <translation>Cámara %1: su distancia focal no es la misma en todas las fotos (%2); todas comparten una calibración del objetivo, así que fije el zoom y vuelva a fotografiar.</translation>
     </message>
     <message>
       <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
@@ -5306,7 +5306,7 @@
     <message>
       <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ninguna cámara explica las imágenes de calibración.</translation>
+      <translation>Ningún modelo de cámara se ajusta a las imágenes de calibración.</translation>
     </message>
     <message>
       <source>No photograph of this camera shows the plate's markers.</source>
@@ -5336,7 +5336,7 @@
     <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se encontró ningún cuerpo en el que coincidan las fotos; revise las cámaras o dé máscaras.</translation>
+      <translation>Las fotos no muestran ningún objeto común; revise las cámaras o dé máscaras.</translation>
     </message>
     <message>
       <source>Each photograph needs one pose.</source>
@@ -5346,12 +5346,12 @@
     <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una envolvente necesita al menos 3 fotos; fotografíe la pieza desde más lados.</translation>
+      <translation>Una envolvente necesita al menos 3 fotos; fotografíe el objeto desde más direcciones.</translation>
     </message>
     <message>
       <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las cámaras no miran a un lugar común; revise sus poses.</translation>
+      <translation>Las cámaras no miran a una zona común; revise sus poses.</translation>
     </message>
     <message>
       <source>The network needs an 8-bit colour photograph.</source>
@@ -5361,32 +5361,32 @@
     <message>
       <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se indicó ninguna escala para dibujarlo.</translation>
+      <translation>El dibujo necesita una escala.</translation>
     </message>
     <message>
       <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una vista previa se deshace.</translation>
+      <translation>La vista previa se deshizo.</translation>
     </message>
     <message>
       <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un archivo no debe estar dentro del propio proyecto.</translation>
+      <translation>Una copia de archivo debe estar fuera de la carpeta del proyecto.</translation>
     </message>
     <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un proyecto se restaura en una carpeta nueva o vacía; elija otro nombre.</translation>
+      <translation>Restaurar un proyecto necesita una carpeta nueva o vacía; elija otro nombre.</translation>
     </message>
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esto no es el archivo de un proyecto entero; léalo como una exportación.</translation>
+      <translation>No es la copia de archivo de un proyecto entero; impórtela como una exportación.</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir aquí (%1); elija otro lugar o revise sus permisos.</translation>
+      <translation>El archivo o la carpeta no se puede escribir (%1); elija otro lugar o revise sus permisos.</translation>
     </message>
     <message>
       <source>There is no such file; check its name.</source>
@@ -5401,12 +5401,12 @@
     <message>
       <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un archivo normal; indique un archivo.</translation>
+      <translation>No es un archivo normal; elija un archivo.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo es mayor que los %1 bytes que se leen aquí; ¿es el correcto?</translation>
+      <translation>El archivo supera el límite de %1 bytes; compruebe que es el correcto.</translation>
     </message>
     <message>
       <source>The file cannot be read (%1); copy it again.</source>
@@ -5416,7 +5416,7 @@
     <message>
       <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro proceso está escribiendo aquí; espere a que termine o elija otra carpeta.</translation>
+      <translation>Otro proceso está escribiendo en esta carpeta; espere a que termine o elija otra carpeta.</translation>
     </message>
     <message>
       <source>The JSON text is larger than 64 MiB.</source>
@@ -5431,7 +5431,7 @@
     <message>
       <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es JSON válido (línea %1); corríjalo ahí o copie otra vez el archivo.</translation>
+      <translation>No es JSON válido (línea %1); corrija esa línea o copie otra vez el archivo.</translation>
     </message>
     <message>
       <source>The JSON contains a number that is too large; correct it.</source>
@@ -5456,7 +5456,7 @@
     <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No existe esa carpeta; indique la carpeta de una tanda.</translation>
+      <translation>No existe esa carpeta; elija la carpeta de una tanda.</translation>
     </message>
     <message>
       <source>The front side is missing; put its photographs into the folder '%1'.</source>
@@ -5471,17 +5471,17 @@
     <message>
       <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es una tanda: no tiene las carpetas 'front' y 'back' ni 'top_images' y 'bottom_images'; indique la carpeta de una tanda.</translation>
+      <translation>No es la carpeta de una tanda: no tiene las carpetas 'front' y 'back' ni 'top_images' y 'bottom_images'; elija la carpeta de una tanda.</translation>
     </message>
     <message>
       <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El nombre no tiene la forma %1; esta foto se omite.</translation>
+      <translation>El nombre del archivo no tiene la forma %1; esta foto se omite.</translation>
     </message>
     <message>
       <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otra foto tiene la misma cámara y la misma parada; esta se omite.</translation>
+      <translation>Otra foto tiene la misma cámara y la misma posición; esta se omite.</translation>
     </message>
     <message>
       <source>This photograph is left out.</source>
@@ -5491,17 +5491,17 @@
     <message>
       <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aquí faltan fotos: %1 y %2 más; lo que solo ellas ven se rellenará, así que repítalas si importan.</translation>
+      <translation>Faltan fotos: %1 y %2 más. Las superficies que solo ellas muestran se rellenan; repítalas si importa.</translation>
     </message>
     <message>
       <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aquí faltan fotos: %1; lo que solo ellas ven se rellenará, así que repítalas si importan.</translation>
+      <translation>Faltan fotos: %1. Las superficies que solo ellas muestran se rellenan; repítalas si importa.</translation>
     </message>
     <message>
       <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El nombre es el de una foto de un equipo fijo, pero la mayoría de los demás no; esta foto se omite.</translation>
+      <translation>Este nombre de archivo es el de una foto de equipo, pero la mayoría de los demás no; esta foto se omite.</translation>
     </message>
     <message>
       <source>Another photograph has the same name; this one is left out.</source>
@@ -5526,32 +5526,32 @@
     <message>
       <source>This folder contains no photographs; put the photographs of one side into it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En esta carpeta no hay fotos; ponga ahí las fotos de una cara.</translation>
+      <translation>En esta carpeta no hay fotos; ponga ahí las fotos de un lado.</translation>
     </message>
     <message>
       <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En esta carpeta no hay ni fotos ni las carpetas «front» y «back» de una tanda; indique una carpeta con fotos.</translation>
+      <translation>En esta carpeta no hay ni fotos ni las carpetas «front» y «back» de una tanda; elija una carpeta con fotos.</translation>
     </message>
     <message>
       <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No existe esa carpeta; indique una con las fotos de una cara.</translation>
+      <translation>No existe esa carpeta; elija una con las fotos de un lado.</translation>
     </message>
     <message>
       <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta carpeta se indicó para el anverso y el reverso; indique la carpeta de cada cara.</translation>
+      <translation>Se indicó la misma carpeta para el anverso y el reverso; elija la carpeta de cada lado.</translation>
     </message>
     <message>
       <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso tiene %1 fotos utilizables, hacen falta al menos %2; tome más desde todo alrededor.</translation>
+      <translation>El anverso tiene %1 fotos utilizables; hacen falta al menos %2. Tome más desde todas las direcciones.</translation>
     </message>
     <message>
       <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El reverso tiene %1 fotos utilizables, hacen falta al menos %2; tome más desde todo alrededor.</translation>
+      <translation>El reverso tiene %1 fotos utilizables; hacen falta al menos %2. Tome más desde todas las direcciones.</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5561,22 +5561,22 @@
     <message>
       <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen RAW está dañada, o es de una cámara desconocida; cópiela otra vez, o expórtela como TIFF.</translation>
+      <translation>La imagen RAW está dañada, o su cámara no es compatible; cópiela otra vez, o expórtela como TIFF.</translation>
     </message>
     <message>
       <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El lado de un marcador debe estar entre 0,5 y 1000 mm; mida un cuadrado negro en el papel.</translation>
+      <translation>El lado de una marca debe estar entre 0,5 y 1000 mm; mida un cuadrado negro en el papel.</translation>
     </message>
     <message>
       <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En estas %2 fotos no se lee ninguna hoja con al menos %1 marcadores de los diccionarios de OpenCV; tome fotos que muestren más de ella, o indique su plate.json.</translation>
+      <translation>En estas %2 fotos no se encontró ninguna hoja con al menos %1 marcas de los diccionarios de OpenCV; tome fotos que muestren más de la hoja, o indique su plate.json.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún plate.json describe la hoja: se encontraron %1 marcas de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcadores alejados y compárela con plate.json en la carpeta de salida.</translation>
+      <translation>Ningún plate.json describe la hoja: se encontraron %1 marcas de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcas alejadas y compárela con plate.json en la carpeta de salida.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
@@ -5636,7 +5636,7 @@
     <message>
       <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen JPEG no contiene ninguna imagen.</translation>
+      <translation>El archivo JPEG no contiene ninguna imagen.</translation>
     </message>
     <message>
       <source>The PNG image is damaged; copy it again.</source>
@@ -5646,7 +5646,7 @@
     <message>
       <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen TIFF no indica su tamaño.</translation>
+      <translation>El archivo TIFF no indica el tamaño de la imagen.</translation>
     </message>
     <message>
       <source>The file is empty; copy it from the camera again.</source>
@@ -5701,22 +5701,22 @@
     <message>
       <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La unidad del plato debe ser mm; genere otra vez el archivo del plato.</translation>
+      <translation>La unidad del plato debe ser mm; cree otra vez el archivo del plato.</translation>
     </message>
     <message>
       <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El plato nombra más de 1024 marcas.</translation>
+      <translation>El archivo del plato nombra más de 1024 marcas.</translation>
     </message>
     <message>
       <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El plato necesita 'dictionary' y 'markers' con un id y cuatro esquinas de tres números cada una; 'diameter', si se da, es un número en mm.</translation>
+      <translation>El archivo del plato necesita 'dictionary' y 'markers' con un id y cuatro esquinas de tres números cada una; 'diameter', si se da, es un número en mm, 'sheet' la anchura y la altura del papel.</translation>
     </message>
     <message>
       <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El plato no nombra ninguna marca.</translation>
+      <translation>El archivo del plato no nombra ninguna marca.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate has no valid corners.</source>
@@ -5736,32 +5736,32 @@
     <message>
       <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir aquí (%1); elija otra carpeta para la tanda o revise sus permisos.</translation>
+      <translation>No se puede escribir (%1); elija otra carpeta para la tanda o revise sus permisos.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ya hay un archivo con este nombre y no se sobrescribe; indique otra tanda.</translation>
+      <translation>Ya hay un archivo con este nombre y no se sobrescribe; elija otro nombre de tanda.</translation>
     </message>
     <message>
       <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La tanda se empezó en otro plato: siga con aquel o empiece otra tanda.</translation>
+      <translation>Esta tanda se empezó en otro plato; siga con aquel o empiece una tanda nueva.</translation>
     </message>
     <message>
       <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La tanda se empezó con %1 cámaras y %2 paradas, no con %3 y %4; indique otra carpeta.</translation>
+      <translation>Esta tanda se empezó con %1 cámaras y %2 posiciones, no con %3 y %4; elija otra carpeta.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La foto se modificó después de tomarla; vuelva a poner el original o indique otra carpeta para la tanda.</translation>
+      <translation>La foto se modificó después de tomarla; vuelva a poner el original o elija otra carpeta para la tanda.</translation>
     </message>
     <message>
       <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta foto no se tomó aquí; indique otra carpeta para la tanda.</translation>
+      <translation>Esta foto no pertenece a esta tanda; elija otra carpeta para la tanda.</translation>
     </message>
     <message>
       <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
@@ -5791,22 +5791,22 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria no dice dónde está.</translation>
+      <translation>La mesa giratoria no comunica su posición.</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria rechazó una orden (error %1): tipo de mesa equivocado o cable defectuoso.</translation>
+      <translation>La mesa giratoria rechazó una orden (error %1): tipo de mesa giratoria equivocado o cable defectuoso.</translation>
     </message>
     <message>
       <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La velocidad de la mesa debe ser mayor que 0.</translation>
+      <translation>La velocidad de la mesa giratoria debe ser mayor que 0.</translation>
     </message>
     <message>
       <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se cortó la conexión con la mesa giratoria (%1).</translation>
+      <translation>Falló la conexión con la mesa giratoria (%1).</translation>
     </message>
     <message>
       <source>it is not open</source>
@@ -5816,7 +5816,7 @@
     <message>
       <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>no acepta más bytes</translation>
+      <translation>no acepta más datos</translation>
     </message>
     <message>
       <source>it was closed at the other end</source>
@@ -5836,7 +5836,7 @@
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El puerto serie no está; ¿está conectada y encendida la mesa giratoria?</translation>
+      <translation>El puerto serie no existe; compruebe que la mesa giratoria está conectada y encendida.</translation>
     </message>
     <message>
       <source>Not a serial port.</source>
@@ -5856,7 +5856,7 @@
     <message>
       <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un puerto serie no puede trabajar a %1 baudios; lo habitual es 9600 y 115200.</translation>
+      <translation>Un puerto serie no admite %1 baudios; lo habitual es 9600 y 115200.</translation>
     </message>
     <message>
       <source>A network address looks like 192.168.0.7:23.</source>
@@ -5866,7 +5866,7 @@
     <message>
       <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El escritorio no suelta la cámara: todavía la retiene %1; cierre su ventana de archivos e inténtelo otra vez.</translation>
+      <translation>El escritorio no suelta la cámara: todavía la usa %1; cierre su ventana de archivos e inténtelo otra vez.</translation>
     </message>
     <message>
       <source>A watched folder has no setting %1; set it on the camera.</source>
@@ -5881,7 +5881,7 @@
     <message>
       <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No llegó ninguna foto nueva en %1 segundos; ¿escribe el programa de la cámara en esta carpeta?</translation>
+      <translation>No llegó ninguna foto nueva en %1 segundos; compruebe que el programa de la cámara escribe en esta carpeta.</translation>
     </message>
     <message>
       <source>The watched folder cannot be read (%1).</source>
@@ -5891,7 +5891,7 @@
     <message>
       <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Llegaron dos fotos para una toma, %1 y %2; una cámara por carpeta, una foto por parada.</translation>
+      <translation>Llegaron dos fotos para una toma, %1 y %2; una carpeta por cámara, una foto por posición.</translation>
     </message>
     <message>
       <source>The camera with this serial number is not plugged in; found: %1.</source>
@@ -5906,7 +5906,7 @@
     <message>
       <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara mantiene %1 en %2 en vez de %3; mire su dial de modos.</translation>
+      <translation>La cámara mantiene %1 en %2 en vez de %3; revise su dial de modos.</translation>
     </message>
     <message>
       <source>The camera has no setting %1.</source>
@@ -5921,7 +5921,7 @@
     <message>
       <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa no tiene interruptor de cero.</translation>
+      <translation>La mesa giratoria no tiene interruptor de cero.</translation>
     </message>
     <message>
       <source>It did not answer while homing.</source>
@@ -5936,7 +5936,7 @@
     <message>
       <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No respondió cuando había que disparar.</translation>
+      <translation>No respondió a la orden de disparo.</translation>
     </message>
     <message>
       <source>The turntable does not answer.</source>
@@ -5956,7 +5956,7 @@
     <message>
       <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El controlador cuenta desde el principio; no se conoce la posición de la mesa.</translation>
+      <translation>El controlador puso su cuenta a cero; no se conoce la posición de la mesa giratoria.</translation>
     </message>
     <message>
       <source>The turntable does not move.</source>
@@ -5976,12 +5976,12 @@
     <message>
       <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa se detuvo en movimiento y su posición se perdió: alinee la marca de cero (ALARM:%1).</translation>
+      <translation>La mesa giratoria se detuvo en movimiento y su posición se perdió: alinee la marca de cero (ALARM:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El controlador de la mesa dice que el giro excede su recorrido: desactive $20 (ALARM:%1).</translation>
+      <translation>El controlador de la mesa giratoria comunica un giro que excede su recorrido: desactive $20 (ALARM:%1).</translation>
     </message>
     <message>
       <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
@@ -5991,7 +5991,7 @@
     <message>
       <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El controlador de la mesa dio una alarma (ALARM:%1).</translation>
+      <translation>El controlador de la mesa giratoria dio una alarma (ALARM:%1).</translation>
     </message>
     <message>
       <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
@@ -6001,32 +6001,32 @@
     <message>
       <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa no tiene interruptor de cero (error:%1).</translation>
+      <translation>La mesa giratoria no tiene interruptor de cero (error:%1).</translation>
     </message>
     <message>
       <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa todavía se mueve (error:%1).</translation>
+      <translation>La mesa giratoria todavía se mueve (error:%1).</translation>
     </message>
     <message>
       <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa está bloqueada: llévela a cero o desbloquéela (error:%1).</translation>
+      <translation>La mesa giratoria está bloqueada: llévela a cero o desbloquéela (error:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El controlador de la mesa rechazó una orden (error:%1).</translation>
+      <translation>El controlador de la mesa giratoria rechazó una orden (error:%1).</translation>
     </message>
     <message>
       <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gire la mesa en sentido antihorario hasta %1 grados y retire la mano.</translation>
+      <translation>Gire la mesa giratoria en sentido antihorario hasta %1 grados y retire la mano.</translation>
     </message>
     <message>
       <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es una lista de fotos de Ostraka; indique otra carpeta para la tanda.</translation>
+      <translation>No es una lista de fotos de Ostraka; elija otra carpeta para la tanda.</translation>
     </message>
     <message>
       <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
@@ -6041,7 +6041,7 @@
     <message>
       <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El equipo no nombra ningún dispositivo; 'ostraka devices' dice qué está conectado y cómo escribirlo ahí.</translation>
+      <translation>El equipo no nombra ningún dispositivo; 'ostraka devices' dice qué está conectado y cómo escribirlo en el equipo.</translation>
     </message>
     <message>
       <source>The rig names no camera.</source>
@@ -6056,12 +6056,12 @@
     <message>
       <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La parte 'devices' no se puede leer; compárela con el capítulo del README sobre dispositivos.</translation>
+      <translation>La parte 'devices' no se puede leer; compárela con docs/devices.md.</translation>
     </message>
     <message>
       <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número de paradas debe estar entre 3 y 99.</translation>
+      <translation>El número de posiciones debe estar entre 3 y 99.</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6071,22 +6071,22 @@
     <message>
       <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay una toma %1 que repetir: esta cara tiene las paradas 1 a %2 y las cámaras A a %3.</translation>
+      <translation>No hay una toma %1 que repetir: este lado tiene las posiciones 1 a %2 y las cámaras A a %3.</translation>
     </message>
     <message>
       <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara %1 de esta tanda era %2, la de aquí es %3; siga con las cámaras con que empezó o indique otra carpeta.</translation>
+      <translation>La cámara %1 de esta tanda era %2, la conectada es %3; siga con las cámaras originales o elija otra carpeta.</translation>
     </message>
     <message>
       <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se conoce la posición de la mesa: gire su marca de cero hacia delante y fije el cero.</translation>
+      <translation>No se conoce la posición de la mesa giratoria: gire su marca de cero hacia delante y fije el cero.</translation>
     </message>
     <message>
       <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1, parada %2: falló %3 veces: %4.</translation>
+      <translation>Cámara %1, posición %2: falló %3 veces: %4.</translation>
     </message>
     <message>
       <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
@@ -6096,7 +6096,7 @@
     <message>
       <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria no responde como un %1; ¿es otra?</translation>
+      <translation>La mesa giratoria no responde como un %1; compruebe su tipo.</translation>
     </message>
     <message>
       <source>Marlin controller</source>
@@ -6111,12 +6111,12 @@
     <message>
       <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta mesa no tiene interruptor de cero: alinéela a ojo.</translation>
+      <translation>Esta mesa giratoria no tiene interruptor de cero: alinéela a ojo.</translation>
     </message>
     <message>
       <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria se niega: %1.</translation>
+      <translation>La mesa giratoria rechaza la orden: %1.</translation>
     </message>
     <message>
       <source>The turntable is at %1 degrees instead of %2.</source>
@@ -6126,37 +6126,37 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras de la mesa giratoria: 'move' debe contener {target} o {by}.</translation>
+      <translation>El dialecto de la mesa giratoria: 'move' debe contener {target} o {by}.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras de la mesa giratoria: 'accepted' debe decir cómo responde.</translation>
+      <translation>El dialecto de la mesa giratoria: 'accepted' debe describir su respuesta.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras de la mesa giratoria: 'query' y 'position' van juntas.</translation>
+      <translation>El dialecto de la mesa giratoria: 'query' y 'position' deben darse juntas.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras de la mesa giratoria: 'reply_s' debe ser mayor que 0.</translation>
+      <translation>El dialecto de la mesa giratoria: 'reply_s' debe ser mayor que 0.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras de la mesa giratoria: '%1' no es una expresión regular.</translation>
+      <translation>El dialecto de la mesa giratoria: '%1' no es una expresión regular.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras de la mesa giratoria: 'position' necesita un grupo para el ángulo.</translation>
+      <translation>El dialecto de la mesa giratoria: 'position' necesita un grupo para el ángulo.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'dialect' de la mesa giratoria debe ser "marlin" o sus palabras.</translation>
+      <translation>'dialect' de la mesa giratoria debe ser &quot;marlin&quot; o un objeto con sus órdenes.</translation>
     </message>
     <message>
       <source>The turntable is not plugged in.</source>
@@ -6206,7 +6206,7 @@
     <message>
       <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara de vídeo no se puede abrir: ¿está conectada y no la usa otro programa?</translation>
+      <translation>La cámara de vídeo no se puede abrir; compruebe que está conectada y que no la usa otro programa.</translation>
     </message>
     <message>
       <source>The video camera cannot be opened.</source>
@@ -6256,7 +6256,7 @@
     <message>
       <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>las marcas muestran otro ángulo que el de esta parada</translation>
+      <translation>las marcas muestran otro ángulo que el de esta posición</translation>
     </message>
     <message>
       <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
@@ -6266,7 +6266,7 @@
     <message>
       <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>se ven muy pocas marcas para saber la parada: ¿hay algo delante, está borrosa?</translation>
+      <translation>se ven muy pocas marcas para saber la posición: compruebe que nada las tapa y que la imagen es nítida</translation>
     </message>
     <message>
       <source>the camera delivered an earlier photograph again</source>
@@ -6276,12 +6276,12 @@
     <message>
       <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>se ven muy pocas marcas del plato: ¿hay algo delante?</translation>
+      <translation>se ven muy pocas marcas del plato: compruebe que nada las tapa</translation>
     </message>
     <message>
       <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>está borrosa: ¿se movía aún la mesa, cambió el enfoque?</translation>
+      <translation>la imagen está borrosa: compruebe que la mesa giratoria está quieta y que el enfoque no ha cambiado</translation>
     </message>
     <message>
       <source>the sherds are too dark: add light or increase the exposure time</source>
@@ -6301,7 +6301,7 @@
     <message>
       <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>los ajustes de la cámara no son los de antes: restablézcalos</translation>
+      <translation>los ajustes de la cámara han cambiado: restablézcalos</translation>
     </message>
     <message>
       <source>%1: restore it</source>
@@ -6356,7 +6356,7 @@
     <message>
       <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>una fila de %1 no apunta a nada</translation>
+      <translation>una fila de %1 apunta a una fila que falta</translation>
     </message>
     <message>
       <source>the sherd tables are inconsistent</source>
@@ -6366,7 +6366,7 @@
     <message>
       <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>la búsqueda no conoce todos los fragmentos</translation>
+      <translation>el índice de búsqueda está incompleto</translation>
     </message>
     <message>
       <source>The backup does not contain the saved data; try again.</source>
@@ -6386,12 +6386,12 @@
     <message>
       <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El disco no responde bien; revíselo y vuelva a abrir el proyecto.</translation>
+      <translation>El disco comunica errores; revíselo y vuelva a abrir el proyecto.</translation>
     </message>
     <message>
       <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El catálogo no acepta esto (%1).</translation>
+      <translation>El catálogo rechaza esta operación (%1).</translation>
     </message>
     <message>
       <source>The scan is not a front of this batch.</source>
@@ -6416,7 +6416,7 @@
     <message>
       <source>The decision to undo is not in this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión que se quiere retirar no está en esta tanda.</translation>
+      <translation>La decisión que se quiere deshacer no está en esta tanda.</translation>
     </message>
     <message>
       <source>A decision needs a front, a back or both.</source>
@@ -6436,12 +6436,12 @@
     <message>
       <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un borrador a partir de fotos con menos detalle; calcule otra vez la tanda para tener medidas definitivas.</translation>
+      <translation>Es un borrador a partir de fotos reducidas; reprocese la tanda para tener medidas definitivas.</translation>
     </message>
     <message>
       <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No son resultados completos de 'ostraka process'; ejecútelo otra vez.</translation>
+      <translation>Estos resultados de 'ostraka process' están incompletos; ejecútelo otra vez.</translation>
     </message>
     <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
@@ -6511,12 +6511,12 @@
     <message>
       <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo las medidas se comparan con &lt; y &gt;; escriba %1:value.</translation>
+      <translation>Solo las medidas admiten &lt; y &gt;; escriba %1:value.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El filtro no es un texto legible.</translation>
+      <translation>El filtro no es un texto válido.</translation>
     </message>
     <message>
       <source>There is no field '%1'.</source>
@@ -6536,12 +6536,12 @@
     <message>
       <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una medida nunca es menor que 0.</translation>
+      <translation>Una medida no puede ser menor que 0.</translation>
     </message>
     <message>
       <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este proyecto se hizo con un Ostraka más nuevo (catálogo versión %1, este programa conoce %2); instálelo, no se cambió nada.</translation>
+      <translation>Un Ostraka más nuevo hizo este proyecto (catálogo versión %1, este programa admite %2). No se cambió nada. Instale la versión más nueva.</translation>
     </message>
     <message>
       <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
@@ -6641,12 +6641,12 @@
     <message>
       <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se unen dos piezas o más.</translation>
+      <translation>Una unión necesita dos trozos o más.</translation>
     </message>
     <message>
       <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se corta una sola pieza.</translation>
+      <translation>Una división necesita exactamente un trozo.</translation>
     </message>
     <message>
       <source>The name of a person must not be empty.</source>
@@ -6721,12 +6721,12 @@
     <message>
       <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La latitud está entre -90 y 90 grados.</translation>
+      <translation>La latitud debe estar entre -90 y 90 grados.</translation>
     </message>
     <message>
       <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La longitud está entre -180 y 180 grados.</translation>
+      <translation>La longitud debe estar entre -180 y 180 grados.</translation>
     </message>
     <message>
       <source>The site %1 already exists.</source>
@@ -6736,7 +6736,7 @@
     <message>
       <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un corte pertenece a un yacimiento.</translation>
+      <translation>Un corte necesita un yacimiento.</translation>
     </message>
     <message>
       <source>A trench cannot contain itself.</source>
@@ -6751,12 +6751,12 @@
     <message>
       <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un contexto pertenece a un yacimiento.</translation>
+      <translation>Un contexto necesita un yacimiento.</translation>
     </message>
     <message>
       <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El corte pertenece a otro yacimiento que el contexto.</translation>
+      <translation>El corte y el contexto pertenecen a yacimientos distintos.</translation>
     </message>
     <message>
       <source>The context %1 already exists in this place.</source>
@@ -6766,17 +6766,17 @@
     <message>
       <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una bolsa pertenece a un contexto.</translation>
+      <translation>Una bolsa necesita un contexto.</translation>
     </message>
     <message>
       <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El peso de una bolsa es mayor que 0 g.</translation>
+      <translation>El peso de una bolsa debe ser mayor que 0 g.</translation>
     </message>
     <message>
       <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una cantidad nunca es menor que 0.</translation>
+      <translation>Una cantidad no puede ser menor que 0.</translation>
     </message>
     <message>
       <source>The bag %1 already exists in this context.</source>
@@ -6786,7 +6786,7 @@
     <message>
       <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta está en un recurso de red (%1), donde los catálogos se dañan; use una carpeta del disco de este ordenador y copie las copias de seguridad al recurso.</translation>
+      <translation>La carpeta está en un recurso de red (%1), lo que puede dañar los catálogos; use una carpeta del disco de este ordenador y copie las copias de seguridad al recurso.</translation>
     </message>
     <message>
       <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
@@ -6811,12 +6811,12 @@
     <message>
       <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is added with the next results.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión está guardada con la tanda, pero %1 aún no está en el catálogo; se anotará con los próximos resultados.</translation>
+      <translation>La decisión está guardada con la tanda, pero %1 aún no está en el catálogo; se añadirá con los próximos resultados.</translation>
     </message>
     <message>
       <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El campo %1 viene del programa.</translation>
+      <translation>El campo %1 es de solo lectura: lo pone el programa.</translation>
     </message>
     <message>
       <source>A void sherd keeps its number.</source>
@@ -6826,7 +6826,7 @@
     <message>
       <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un número no contiene saltos de línea, tabuladores ni '%'.</translation>
+      <translation>Un número no puede contener saltos de línea, tabuladores ni '%'.</translation>
     </message>
     <message>
       <source>A number has at most 120 characters.</source>
@@ -6861,27 +6861,27 @@
     <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que sigue al signo ± es mayor que 0, o 0 si no se conoce ninguna incertidumbre.</translation>
+      <translation>Escriba tras ± un valor mayor que 0, o 0 si no se conoce la incertidumbre.</translation>
     </message>
     <message>
       <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una medida es mayor que 0.</translation>
+      <translation>Escriba un valor mayor que 0.</translation>
     </message>
     <message>
       <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún fragmento mide más de 1000 mm; ¿está en milímetros?</translation>
+      <translation>Ningún fragmento mide más de 1000 mm; compruebe que el valor está en milímetros.</translation>
     </message>
     <message>
       <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún fragmento pesa más de 20 kg; ¿está en gramos?</translation>
+      <translation>Ningún fragmento pesa más de 20 kg; compruebe que el valor está en gramos.</translation>
     </message>
     <message>
       <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una proporción es de 100 % como máximo.</translation>
+      <translation>Una proporción no puede superar el 100 %.</translation>
     </message>
     <message>
       <source>There is no sherd %1 to join.</source>
@@ -6906,7 +6906,7 @@
     <message>
       <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fragmento recibe número cuando se conoce su contexto.</translation>
+      <translation>Un fragmento necesita su contexto antes de recibir número.</translation>
     </message>
     <message>
       <source>The table cannot be sorted by &apos;%1&apos;.</source>
@@ -6931,7 +6931,7 @@
     <message>
       <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fragmento se anula por algún motivo; diga cuál.</translation>
+      <translation>Un fragmento anulado necesita un motivo; escríbalo.</translation>
     </message>
     <message>
       <source>The number %1 appears on two sherds of this plate.</source>
@@ -6961,17 +6961,17 @@
     <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un día se escribe 2026-07-14 (año-mes-día).</translation>
+      <translation>Escriba el día como 2026-07-14 (año-mes-día).</translation>
     </message>
     <message>
       <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una fecha se escribe en EDTF, como -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras.</translation>
+      <translation>Escriba la fecha en EDTF, por ejemplo -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un color Munsell se escribe 10YR 3/1 o N 4/.</translation>
+      <translation>Escriba el color Munsell como 10YR 3/1 o N 4/.</translation>
     </message>
     <message>
       <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
@@ -6996,7 +6996,7 @@
     <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un archivo PLY; indique uno o exporte otra vez el escaneo.</translation>
+      <translation>No es un archivo PLY; elija uno o exporte otra vez el escaneo.</translation>
     </message>
     <message>
       <source>The PLY header states no format; export the file again.</source>
@@ -7096,7 +7096,7 @@
     <message>
       <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ningún tramo del contorno puede ser parte de un borde; dibuje este fragmento como uno sin borde.</translation>
+      <translation>Ningún tramo del contorno puede ser un borde; dibuje este fragmento sin borde.</translation>
     </message>
     <message>
       <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
@@ -7111,12 +7111,12 @@
     <message>
       <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dibujado como borde, lo que es probable (%1 %); compruébelo.</translation>
+      <translation>Dibujado como fragmento de borde, lo que es probable (%1 %); compruébelo.</translation>
     </message>
     <message>
       <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Puede ser un borde (%1 %); si lo es, indíquelo y dibújelo otra vez.</translation>
+      <translation>Puede ser un fragmento de borde (%1 %); si lo es, indíquelo y dibújelo otra vez.</translation>
     </message>
     <message>
       <source>The drawing's scale must lie between 1:20 and 5:1.</source>
@@ -7171,7 +7171,7 @@
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alguien creó entretanto una carpeta con este nombre; elija otro nombre.</translation>
+      <translation>Entretanto se creó una carpeta con este nombre; elija otro nombre.</translation>
     </message>
     <message>
       <source>Not an Ostraka export: this folder has no bagit.txt.</source>
@@ -7236,7 +7236,7 @@
     <message>
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo no es texto: contiene datos binarios, que ninguna tabla tiene.</translation>
+      <translation>No es un archivo de texto: contiene datos binarios, que ninguna tabla tiene.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
@@ -7251,12 +7251,12 @@
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La línea %1 abre unas comillas que nunca se cierran.</translation>
+      <translation>La línea %1 tiene unas comillas sin cerrar.</translation>
     </message>
     <message>
       <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La línea %1 tiene letras detrás de unas comillas de cierre.</translation>
+      <translation>La línea %1 tiene caracteres detrás de unas comillas de cierre.</translation>
     </message>
     <message>
       <source>Line %1 has a value longer than 1 MB.</source>
@@ -7271,7 +7271,7 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este fragmento aún no tiene modelo y no se puede dibujar; calcule antes su tanda.</translation>
+      <translation>Este fragmento aún no tiene modelo y no se puede dibujar; procese antes su tanda.</translation>
     </message>
     <message>
       <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
@@ -7281,27 +7281,27 @@
     <message>
       <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se dice que es un borde, pero ningún tramo de su contorno puede serlo; dibujado sin él.</translation>
+      <translation>El fragmento está registrado como borde, pero ningún tramo de su contorno puede serlo; se dibuja sin él.</translation>
     </message>
     <message>
       <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 no está y se omitió.</translation>
+      <translation>%1 falta y se omitió.</translation>
     </message>
     <message>
       <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 no es la foto que se registró; compruébela.</translation>
+      <translation>%1 difiere de la foto registrada; compruébela.</translation>
     </message>
     <message>
       <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este modelo o esta imagen del fragmento %1 no es lo que se registró; calcule de nuevo su tanda %2.</translation>
+      <translation>Este modelo o esta imagen del fragmento %1 difiere de lo registrado; reprocese su tanda %2.</translation>
     </message>
     <message>
       <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 va entero: %2</translation>
+      <translation>%1 se exporta con detalle completo: %2</translation>
     </message>
     <message>
       <source>Not drawn: %1</source>
@@ -7316,7 +7316,7 @@
     <message>
       <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay ningún fragmento que exportar; elija antes algunos.</translation>
+      <translation>No hay fragmentos que exportar; seleccione antes algunos.</translation>
     </message>
     <message>
       <source>The row has neither a number nor a uuid.</source>
@@ -7336,7 +7336,7 @@
     <message>
       <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número pertenece a otro fragmento que el uuid.</translation>
+      <translation>El número y el uuid pertenecen a fragmentos distintos.</translation>
     </message>
     <message>
       <source>A new sherd needs its context.</source>
@@ -7356,7 +7356,7 @@
     <message>
       <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Estos lugares y tandas no están escritos como los escribe Ostraka.</translation>
+      <translation>Estos lugares y tandas no están en el formato de Ostraka.</translation>
     </message>
     <message>
       <source>Not a PLY file.</source>
@@ -7371,17 +7371,17 @@
     <message>
       <source>This export contains no sherd records (JSON); export it again with them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta exportación no contiene fichas (JSON) de fragmentos; expórtela otra vez con ellas.</translation>
+      <translation>Esta exportación no contiene registros (JSON) de fragmentos; expórtela otra vez con ellos.</translation>
     </message>
     <message>
       <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El proyecto tiene este fragmento con otros valores; se quedan, y lo que difiere se guarda al lado en campos que acaban en _in_%1.</translation>
+      <translation>El proyecto tiene este fragmento con otros valores y los conserva; los que difieren se añaden en campos que acaban en _in_%1.</translation>
     </message>
     <message>
       <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este archivo no está entre los archivos de la exportación.</translation>
+      <translation>Este archivo no forma parte de la exportación.</translation>
     </message>
     <message>
       <source>The project has another file with this name; rename the export and import it again.</source>
@@ -7391,7 +7391,7 @@
     <message>
       <source>Not a sherd record (ostraka-sherd/1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es la ficha de un fragmento (ostraka-sherd/1).</translation>
+      <translation>No es el registro de un fragmento (ostraka-sherd/1).</translation>
     </message>
     <message>
       <source>The measurement %1 has a unit other than %2.</source>
@@ -7401,12 +7401,12 @@
     <message>
       <source>A value of the record has the wrong type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un valor de la ficha es de otro tipo del debido.</translation>
+      <translation>Un valor del registro es de otro tipo del debido.</translation>
     </message>
     <message>
       <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es demasiado grande para un solo archivo ZIP; elija menos fragmentos.</translation>
+      <translation>Es demasiado grande para un solo archivo ZIP; seleccione menos fragmentos.</translation>
     </message>
     <message>
       <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
@@ -7426,12 +7426,12 @@
     <message>
       <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las máscaras a partir del plato necesitan al menos 3 fotos de una cara; fotografíe más paradas.</translation>
+      <translation>Las máscaras a partir del plato necesitan al menos 3 fotos de un lado; fotografíe más posiciones.</translation>
     </message>
     <message>
       <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La foto no tiene el tamaño de su cámara; use el archivo original.</translation>
+      <translation>La foto no tiene el tamaño de las imágenes de su cámara; use el archivo original.</translation>
     </message>
     <message>
       <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
@@ -7441,17 +7441,17 @@
     <message>
       <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>máscaras: el plato vacío de la cámara %1 tiene otro tamaño que las fotos de la cámara; enmascarado sin él</translation>
+      <translation>máscaras: la foto del plato vacío de la cámara %1 tiene otro tamaño que las demás fotos de la cámara; las máscaras se hacen sin ella</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>máscaras: el plato vacío de la cámara %1 no muestra el plato en ninguna de las paradas; repítalo en la primera; enmascarado sin él</translation>
+      <translation>máscaras: la foto del plato vacío de la cámara %1 no muestra el plato en ninguna de las posiciones; repítala en la primera; las máscaras se hacen sin ella</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>máscaras: el plato vacío de la cámara %1 muestra marcas que algo tapa en %2; retire lo que está encima de ellas; enmascarado sin él</translation>
+      <translation>máscaras: la foto del plato vacío de la cámara %1 muestra marcas tapadas en %2; destápelas; las máscaras se hacen sin ella</translation>
     </message>
     <message>
       <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
@@ -7471,7 +7471,7 @@
     <message>
       <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El escaneo del anverso no tiene normales; un modelo necesita saber qué es el exterior.</translation>
+      <translation>El escaneo del anverso no tiene normales; un modelo las necesita para distinguir el exterior del interior.</translation>
     </message>
     <message>
       <source>The back scan contains no points.</source>
@@ -7481,7 +7481,7 @@
     <message>
       <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El escaneo del reverso no tiene normales; un modelo necesita saber qué es el exterior.</translation>
+      <translation>El escaneo del reverso no tiene normales; un modelo las necesita para distinguir el exterior del interior.</translation>
     </message>
     <message>
       <source>The scans do not enclose a volume; their normals may point inward.</source>
@@ -7491,12 +7491,12 @@
     <message>
       <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo se puede aligerar una malla cerrada.</translation>
+      <translation>Solo se puede simplificar una malla cerrada.</translation>
     </message>
     <message>
       <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La desviación de una malla aligerada debe ser mayor que 0 mm.</translation>
+      <translation>La desviación de una malla simplificada debe ser mayor que 0 mm.</translation>
     </message>
     <message>
       <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
@@ -7526,7 +7526,7 @@
     <message>
       <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El vértice %1 une dos abanicos de caras.</translation>
+      <translation>El vértice %1 une dos abanicos de caras separados.</translation>
     </message>
     <message>
       <source>The mesh has no faces.</source>
@@ -7561,7 +7561,7 @@
     <message>
       <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los datos de un par no tienen escaneos o cifra válidos.</translation>
+      <translation>Los indicios de una pareja no tienen escaneos o valor válidos.</translation>
     </message>
     <message>
       <source>pairing: %1 stays unpaired: %2</source>
@@ -7581,12 +7581,12 @@
     <message>
       <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esto no es una tabla de candidatos; calcule la tanda otra vez, solo se rehacen sus pares.</translation>
+      <translation>Esto no es una tabla de candidatos; reprocese la tanda, solo se rehacen sus parejas.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 trata de %3, cuyo lado se fotografió de nuevo desde entonces; decida otra vez.</translation>
+      <translation>La decisión %1 de %2 trata de %3, cuyo lado se volvió a fotografiar desde entonces; decida otra vez.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
@@ -7596,42 +7596,42 @@
     <message>
       <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 no vale: la decisión %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
+      <translation>La decisión %1 de %2 no tiene efecto: la decisión %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una decisión es de un tipo que este programa no conoce; la escribió uno más nuevo.</translation>
+      <translation>Una decisión es de un tipo desconocido; la escribió una versión más nueva de Ostraka.</translation>
     </message>
     <message>
       <source>A pair needs one front and one back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un par necesita un anverso y un reverso.</translation>
+      <translation>Una pareja necesita un anverso y un reverso.</translation>
     </message>
     <message>
       <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se nombró nada que apartar o fotografiar otra vez.</translation>
+      <translation>No hay nada seleccionado que apartar o volver a fotografiar.</translation>
     </message>
     <message>
       <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las piezas que se unen deben ser del mismo lado.</translation>
+      <translation>Los trozos que se unen deben ser del mismo lado.</translation>
     </message>
     <message>
       <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un corte necesita una pieza y una línea de al menos un milímetro.</translation>
+      <translation>Una división necesita un trozo y una línea de al menos 1 mm.</translation>
     </message>
     <message>
       <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se nombró nada que retirar.</translation>
+      <translation>No hay nada seleccionado que retirar.</translation>
     </message>
     <message>
       <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Estas decisiones las escribió un programa más nuevo; use ese.</translation>
+      <translation>Una versión más nueva de Ostraka escribió estas decisiones; use esa versión.</translation>
     </message>
     <message>
       <source>Decision %1 cannot be used.</source>
@@ -7646,7 +7646,7 @@
     <message>
       <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Estas no son decisiones de este programa; aparte el archivo, o restablezca una copia.</translation>
+      <translation>No es un archivo de decisiones de Ostraka; muévalo a otro lugar, o restablezca una copia.</translation>
     </message>
     <message>
       <source>This decision is no longer in effect.</source>
@@ -7666,42 +7666,42 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 pueden ser dos fragmentos que se tocan, %2 y %3 del otro lado: córtelo en la revisión, o sepárelos y fotografíe otra vez su lado.</translation>
+      <translation>%1 pueden ser dos fragmentos que se tocan, %2 y %3 del otro lado: divídalo en la revisión, o sepárelos y vuelva a fotografiar su lado.</translation>
     </message>
     <message>
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esto no es una lista de trazos en máscaras; restablezca una anterior o quítela.</translation>
+      <translation>Esto no es una lista de trazos en máscaras; restablezca una anterior o bórrela.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta tanda aún no tiene máscaras; deje que se calcule antes.</translation>
+      <translation>Esta tanda aún no tiene máscaras; procésela antes.</translation>
     </message>
     <message>
       <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este archivo no dice lo bien que coincidía el equipo.</translation>
+      <translation>Este archivo no dice lo bien que se ajusta el equipo.</translation>
     </message>
     <message>
       <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta calibración es de otras cámaras que las que fotografiaron la tanda; calibre el equipo con sus propias fotos.</translation>
+      <translation>Esta calibración es de otras cámaras que las de la tanda; calibre el equipo con sus propias fotos.</translation>
     </message>
     <message>
       <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sin plate.json no se pueden hallar las máscaras; ponga máscaras junto a las fotos, o nombre una red (--masks MODEL.onnx).</translation>
+      <translation>Sin plate.json no se pueden hacer las máscaras; ponga máscaras junto a las fotos, o elija una red (--masks MODEL.onnx).</translation>
     </message>
     <message>
       <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El resultado no tiene escala: sin plate.json no se conoce ninguna longitud, y lo que se da en mm parte de un tamaño de píxel supuesto; fotografíe sobre un plato con marcas, ponga el tablero de board.json junto a los fragmentos en ambos lados, o marque en ambos una longitud conocida en scale.json.</translation>
+      <translation>El resultado no tiene escala: sin plate.json no se conoce ninguna longitud, y las longitudes en mm parten de un tamaño de píxel supuesto; fotografíe sobre un plato de marcas, ponga el tablero de board.json junto a los fragmentos en ambos lados, o marque en ambos una longitud conocida en scale.json.</translation>
     </message>
     <message>
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta de salida contiene algo que no es de este programa; elija otra o una vacía.</translation>
+      <translation>La carpeta de salida contiene archivos que Ostraka no escribió; elija otra o una vacía.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -7711,62 +7711,62 @@
     <message>
       <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta de salida contiene otra cosa; nombre una carpeta nueva o vacía.</translation>
+      <translation>La carpeta de salida contiene otros archivos; elija una carpeta nueva o vacía.</translation>
     </message>
     <message>
       <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un par nombra un escaneo que no existe; borre este archivo y empiece otra vez.</translation>
+      <translation>Una pareja nombra un escaneo que no existe; borre este archivo y reprocese la tanda.</translation>
     </message>
     <message>
       <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esto no es una tabla de pares; bórrela y empiece otra vez.</translation>
+      <translation>Esto no es una tabla de parejas; bórrela y reprocese la tanda.</translation>
     </message>
     <message>
       <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 y %2 se emparejaron a mano, pero nada dice cómo se sitúan uno respecto al otro; gire el reverso a mano en la revisión: %3</translation>
+      <translation>%1 y %2 se emparejaron a mano, pero no se conoce su pose relativa; alinee el reverso a mano en la revisión: %3</translation>
     </message>
     <message>
       <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; se omite, tómela otra vez.</translation>
+      <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; se omite, repítala.</translation>
     </message>
     <message>
       <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; tómela otra vez.</translation>
+      <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; repítala.</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 de las %2 marcas del plato no están en ninguna foto del anverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
+      <translation>%1 de las %2 marcas del plato no están en ninguna foto del anverso (%3); las poses de las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todas las fotografías del reverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y fotografíe de nuevo este lado.</translation>
+      <translation>Todas las fotografías del reverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y vuelva a fotografiar este lado.</translation>
     </message>
     <message>
       <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todas las fotografías del anverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y fotografíe de nuevo este lado.</translation>
+      <translation>Todas las fotografías del anverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y vuelva a fotografiar este lado.</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
+      <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las poses de las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 une piezas que ya no existen; decida otra vez.</translation>
+      <translation>La decisión %1 de %2 une trozos que ya no existen; decida otra vez.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 corta una pieza que no existe, o al lado de ella; decida otra vez.</translation>
+      <translation>La decisión %1 de %2 divide un trozo que no existe, o no lo alcanza; decida otra vez.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
@@ -7776,7 +7776,7 @@
     <message>
       <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las fotos no muestran un plato con marcas, así que el programa %1 tiene que hallar las cámaras, y no está instalado.</translation>
+      <translation>Las fotos no muestran un plato de marcas, así que el programa %1 tiene que hallar las cámaras, y no está instalado; instálelo.</translation>
     </message>
     <message>
       <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
@@ -7786,37 +7786,37 @@
     <message>
       <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cierre otros programas, o calcule un borrador.</translation>
+      <translation>Cierre otros programas, o procese un borrador.</translation>
     </message>
     <message>
       <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: no se tomó desde donde estaba la cámara mientras giraba el plato; se deja fuera.</translation>
+      <translation>%1: la cámara no estaba donde se hallaba mientras giraba el plato; la foto se omite.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se desplazó unos %2 mm en el anverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
+      <translation>%1 se desplazó unos %2 mm en el anverso: desde la posición %3 (pos%4) está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se desplazó unos %2 mm en el anverso: desde %3 está en otro lugar; fotografíe otra vez este lado.</translation>
+      <translation>%1 se desplazó unos %2 mm en el anverso: desde %3 está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se desplazó unos %2 mm en el reverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
+      <translation>%1 se desplazó unos %2 mm en el reverso: desde la posición %3 (pos%4) está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se desplazó unos %2 mm en el reverso: desde %3 está en otro lugar; fotografíe otra vez este lado.</translation>
+      <translation>%1 se desplazó unos %2 mm en el reverso: desde %3 está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
       <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta de salida está dentro de la carpeta de la tanda, donde nunca se escribe nada; elija una al lado.</translation>
+      <translation>La carpeta de salida está dentro de la carpeta de la tanda, donde Ostraka nunca escribe; elija una al lado.</translation>
     </message>
     <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
@@ -7831,12 +7831,12 @@
     <message>
       <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los anversos no están en mm: las longitudes del resultado, llamadas mm, están en la unidad propia de los anversos.</translation>
+      <translation>Los anversos no están en mm: las longitudes del resultado, aunque se llamen mm, están en la unidad propia de los anversos.</translation>
     </message>
     <message>
       <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los pares de esta tanda aún no están calculados, o los calculó un programa más antiguo; vuelva a calcular la tanda: lo que está completo se conserva.</translation>
+      <translation>Las parejas de esta tanda aún no están procesadas, o son de una versión más antigua de Ostraka; reprocese la tanda: lo que está completo se conserva.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -7856,7 +7856,7 @@
     <message>
       <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La longitud de %1 mm en scale.json no se pudo comparar: marque cada uno de sus extremos en dos o más fotos del anverso, tomadas desde distintas direcciones.</translation>
+      <translation>La longitud de %1 mm en scale.json no se pudo comprobar: marque cada uno de sus extremos en dos o más fotos del anverso, tomadas desde distintas direcciones.</translation>
     </message>
     <message>
       <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
@@ -7866,12 +7866,12 @@
     <message>
       <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La longitud de %1 mm en scale.json no se pudo comparar: marque cada uno de sus extremos en dos o más fotos del reverso, tomadas desde distintas direcciones.</translation>
+      <translation>La longitud de %1 mm en scale.json no se pudo comprobar: marque cada uno de sus extremos en dos o más fotos del reverso, tomadas desde distintas direcciones.</translation>
     </message>
     <message>
       <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede leer la carpeta; nombre una carpeta con archivos PLY.</translation>
+      <translation>No se puede leer la carpeta; elija una carpeta con archivos PLY.</translation>
     </message>
     <message>
       <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
@@ -7911,7 +7911,7 @@
     <message>
       <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El escaneo está a %1 veces su longitud de 0, 0, 0, así que sus coordenadas están redondeadas; llévelo allí y expórtelo otra vez.</translation>
+      <translation>El escaneo está a %1 veces su longitud del origen, así que sus coordenadas están redondeadas; llévelo al origen y expórtelo otra vez.</translation>
     </message>
     <message>
       <source>None of the scans can be used: %1</source>
@@ -7966,17 +7966,17 @@
     <message>
       <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fragmento %1: ninguna cámara vio el %2 % de su superficie; está rellenado, en naranja en la imagen. Fotografíelo de nuevo si importa.</translation>
+      <translation>Fragmento %1: ninguna cámara vio el %2 % de su superficie; está rellenado, en naranja en la imagen. Vuelva a fotografiarlo si importa.</translation>
     </message>
     <message>
       <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fragmento %1: su modelo tiene un agujero que lo atraviesa (%2 mm²). Si el fragmento no tiene ninguno, las fotografías no muestran ese lugar; fotografíelo de nuevo.</translation>
+      <translation>Fragmento %1: su modelo tiene un agujero que lo atraviesa (%2 mm²). Si el fragmento no tiene ninguno, las fotografías no muestran ese lugar; vuelva a fotografiarlo.</translation>
     </message>
     <message>
       <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nombra %1, que no está en la tanda; borre este archivo y las cámaras se hallarán de nuevo.</translation>
+      <translation>El archivo nombra %1, que no está en la tanda; bórrelo y las cámaras se hallarán de nuevo.</translation>
     </message>
     <message>
       <source>This photograph has no mask; provide one for each photograph to be used.</source>
@@ -8006,37 +8006,37 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: no hay ningún fragmento marcado en esta foto; se omite.</translation>
+      <translation>%1: la máscara no marca ningún fragmento en esta foto; se omite.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Si hay fragmentos en ella, tómela otra vez o corrija su máscara.</translation>
+      <translation>Si hay fragmentos en ella, repítala o edite su máscara.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay fragmentos marcados en %1 fotos del anverso; se necesitan 3.</translation>
+      <translation>Las máscaras marcan fragmentos en %1 fotos del anverso; se necesitan 3.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay fragmentos marcados en %1 fotos del reverso; se necesitan 3.</translation>
+      <translation>Las máscaras marcan fragmentos en %1 fotos del reverso; se necesitan 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mire las máscaras, y si había fragmentos en el plato.</translation>
+      <translation>Revise las máscaras, y si había fragmentos en el plato.</translation>
     </message>
     <message>
       <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se encuentran menos de 10 puntos de las fracturas; parta de una posición mejor.</translation>
+      <translation>Coinciden menos de 10 puntos de las fracturas; parta de una pose mejor.</translation>
     </message>
     <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se dio ninguna posición inicial para unir los lados.</translation>
+      <translation>No se dio ninguna pose inicial para el registro de los lados.</translation>
     </message>
     <message>
       <source>The scan has no normals; export it with normals.</source>
@@ -8046,12 +8046,12 @@
     <message>
       <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su borde.</translation>
+      <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su fractura.</translation>
     </message>
     <message>
       <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: no se ve el tablero; esta imagen se omite.</translation>
+      <translation>%1: no se detectó el tablero; esta imagen se omite.</translation>
     </message>
     <message>
       <source>The dictionary %1 has too few markers for the board.</source>
@@ -8066,7 +8066,7 @@
     <message>
       <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay nada con que calibrar: fotografíe el plato en cada parada en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
+      <translation>No hay nada con que calibrar: fotografíe el plato en cada posición en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
     </message>
     <message>
       <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
@@ -8086,17 +8086,17 @@
     <message>
       <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El ajuste del equipo no llegó a una solución; compruebe que plate.json y board.json describen lo que se fotografió.</translation>
+      <translation>El ajuste de haces del equipo no convergió; compruebe que plate.json y board.json describen lo que se fotografió.</translation>
     </message>
     <message>
       <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No indica cómo están curvadas las hojas; borre el archivo y se medirán de nuevo.</translation>
+      <translation>El archivo no describe cómo están curvadas las hojas; bórrelo y se medirán de nuevo.</translation>
     </message>
     <message>
       <source>The file does not describe what the sherds stand on; delete it to determine this again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No dice sobre qué están los fragmentos; bórrelo y se determinará de nuevo.</translation>
+      <translation>El archivo no describe sobre qué están los fragmentos; bórrelo y se determinará de nuevo.</translation>
     </message>
     <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
@@ -8106,7 +8106,7 @@
     <message>
       <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: en ella se leen %2 marcas de la hoja, muy pocas para una pose; se deja fuera.</translation>
+      <translation>%1: se leen %2 marcas de la hoja, muy pocas para una pose; la foto se omite.</translation>
     </message>
     <message>
       <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
@@ -8116,7 +8116,7 @@
     <message>
       <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: la mayoría de las marcas de la hoja están en ella en otro lugar del que indican las demás fotografías; se omite.</translation>
+      <translation>%1: la mayoría de las marcas de la hoja no están donde las sitúan las demás fotografías; la foto se omite.</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
@@ -8126,17 +8126,17 @@
     <message>
       <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay plate.json, así que no se pueden usar las marcas del plato; copie aquí el que 'ostraka plate' escribió con el plato.</translation>
+      <translation>Falta plate.json, así que no se pueden usar las marcas del plato; copie en esta carpeta el archivo que 'ostraka plate' escribió con el plato.</translation>
     </message>
     <message>
       <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El equipo conocido no tiene una cámara %1 con imágenes de %2 x %3 píxeles; se calibra con esta tanda.</translation>
+      <translation>El equipo conocido no tiene una cámara %1 con imágenes de %2 x %3 píxeles; en su lugar se calibra con esta tanda.</translation>
     </message>
     <message>
       <source>Its lens is estimated from the plate's markers instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Su objetivo se estima con las marcas del plato.</translation>
+      <translation>En su lugar, su objetivo se estima con las marcas del plato.</translation>
     </message>
     <message>
       <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
@@ -8161,12 +8161,12 @@
     <message>
       <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El equipo conocido ya no coincide: la cámara %1 yerra las marcas por %2 px; los lugares de las cámaras se estiman de nuevo para esta tanda, calibre otra vez el equipo.</translation>
+      <translation>El equipo conocido ya no se ajusta: la cámara %1 yerra las marcas por %2 px. Las poses de las cámaras se estiman de nuevo para esta tanda; calibre otra vez el equipo.</translation>
     </message>
     <message>
       <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: ninguna de sus %2 marcas está donde esta cámara las ve en esta parada.</translation>
+      <translation>%1: ninguna de sus %2 marcas está donde esta cámara las ve en esta posición.</translation>
     </message>
     <message>
       <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
@@ -8176,7 +8176,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: no se ve en ella ninguna marca; ¿muestra esta parada? Si no, tómela otra vez.</translation>
+      <translation>%1: no se ve ninguna marca; compruebe que la foto muestra esta posición. Si no, repítala.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
@@ -8191,12 +8191,12 @@
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara %1 ve menos de seis marcas del plato en la parada %2; revise allí la luz y el enfoque, y que no haya nada sobre las marcas.</translation>
+      <translation>La cámara %1 ve menos de seis marcas del plato en la posición %2; revise allí la luz y el enfoque, y que no haya nada sobre las marcas.</translation>
     </message>
     <message>
       <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo se fotografiaron %1 paradas; tome al menos cuatro en toda la vuelta, para que se encuentre el eje.</translation>
+      <translation>Solo se fotografiaron %1 posiciones; tome al menos cuatro en toda la vuelta, para que se encuentre el eje.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8211,7 +8211,7 @@
     <message>
       <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; ¿se tocó entre las fotos, o plate.json es de otro plato?</translation>
+      <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; compruebe que no se movió entre las fotos y que plate.json es de este plato.</translation>
     </message>
     <message>
       <source>Not usable: the scale is wrong.</source>
@@ -8221,7 +8221,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bien: objetivos, lugares y escala están determinados.</translation>
+      <translation>Bien: objetivos, poses de las cámaras y escala están determinados.</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
@@ -8231,12 +8231,12 @@
     <message>
       <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Utilizable, pero una distancia focal no se conoce con más precisión que una milésima.</translation>
+      <translation>Utilizable, pero una distancia focal es incierta en más de una milésima.</translation>
     </message>
     <message>
       <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Utilizable; lo que se nombra abajo la mejoraría.</translation>
+      <translation>Utilizable; los pasos de abajo lo mejoran.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %).</source>
@@ -8251,12 +8251,12 @@
     <message>
       <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: distancia focal %2 px (%3 %), las marcas del plato con %4 px de mediana.</translation>
+      <translation>Cámara %1: distancia focal %2 px (%3 %), error mediano en las marcas del plato %4 px.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados, las marcas del plato con %9 px de mediana.</translation>
+      <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados, error mediano en las marcas del plato %9 px.</translation>
     </message>
     <message>
       <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
@@ -8361,7 +8361,7 @@
     <message>
       <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se conoce el objetivo, pero no los lugares de las cámaras: no se puede guardar ningún equipo.</translation>
+      <translation>Se conoce el objetivo, pero no las poses de las cámaras: no se puede guardar ningún equipo.</translation>
     </message>
     <message>
       <source>Not usable: the focal length is not determined.</source>
@@ -8371,27 +8371,27 @@
     <message>
       <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotografíe también el plato con sus marcas: ponga una imagen por cámara y parada en 'front' (cam0_pos00.jpg, etc.) junto a plate.json, y las imágenes del tablero en 'calib'.</translation>
+      <translation>Fotografíe también el plato con sus marcas: ponga una imagen por cámara y posición en 'front' (cam0_pos00.jpg, etc.) junto a plate.json, y las imágenes del tablero en 'calib'.</translation>
     </message>
     <message>
       <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marca %1 de la longitud conocida no se ve dos veces; nombre dos marcas del plato que muestren las fotos.</translation>
+      <translation>La marca %1 de la longitud conocida se ve en menos de dos fotos; elija dos marcas del plato que muestren las fotos.</translation>
     </message>
     <message>
       <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una longitud conocida necesita dos marcas distintas y milímetros mayores que cero.</translation>
+      <translation>Una longitud conocida necesita dos marcas distintas y un valor mayor que 0 mm.</translation>
     </message>
     <message>
       <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esa carpeta no existe; nombre una con fotos del plato o del tablero.</translation>
+      <translation>No se encontró la carpeta; elija una con fotos del plato o del tablero.</translation>
     </message>
     <message>
       <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se entienden más de cinco términos de distorsión para '%1'; corrija antes la distorsión de sus fotos.</translation>
+      <translation>No se admiten más de cinco términos de distorsión para '%1'; corrija antes la distorsión de sus fotos.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>
@@ -8416,7 +8416,7 @@
     <message>
       <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara %1 de COLMAP tiene el modelo '%2' o valores que aquí no se pueden usar; use OPENCV.</translation>
+      <translation>La cámara %1 de COLMAP tiene el modelo '%2' o valores que Ostraka no admite; use OPENCV.</translation>
     </message>
     <message>
       <source>COLMAP's model has no camera for the image '%1'.</source>
@@ -8426,32 +8426,32 @@
     <message>
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo está dañado o no es como lo escribe COLMAP; ejecute COLMAP otra vez.</translation>
+      <translation>El archivo está dañado o no está en el formato de COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
       <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La línea %1 no es como la escribe COLMAP; ejecute COLMAP otra vez.</translation>
+      <translation>La línea %1 no está en el formato de COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La pose de esta foto se determina sin su máscara.</translation>
+      <translation>La pose de esta foto se estima sin su máscara.</translation>
     </message>
     <message>
       <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sin plate.json las poses vienen de COLMAP, que no está instalado; instale el paquete 'colmap' o fotografíe sobre un plato con marcas.</translation>
+      <translation>Sin plate.json las poses vienen de COLMAP, que no está instalado; instale el paquete 'colmap' o fotografíe sobre un plato de marcas.</translation>
     </message>
     <message>
       <source>COLMAP found poses for %1 of %2 photographs, too few; provide masks or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP encontró la pose de %1 de %2 fotos, muy pocas; dé máscaras o fotografíe sobre un plato con marcas.</translation>
+      <translation>COLMAP encontró la pose de %1 de %2 fotos, muy pocas; dé máscaras o fotografíe sobre un plato de marcas.</translation>
     </message>
     <message>
       <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La escala no es correcta: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %); compruebe que plate.json es de este plato, que está impreso y pegado con exactitud, y que un equipo conocido se calibró con él.</translation>
+      <translation>La escala no es correcta: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %); compruebe que plate.json es de este plato, que está impreso y pegado sin deformación, y que un equipo conocido se calibró con él.</translation>
     </message>
     <message>
       <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
@@ -8476,7 +8476,7 @@
     <message>
       <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
+      <translation>Cámara %1: la peor imagen es %2 con %3 px; repítala u omítala.</translation>
     </message>
     <message>
       <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
@@ -8486,7 +8486,7 @@
     <message>
       <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
+      <translation>Cámara %1: ningún modelo de cámara se ajusta a las imágenes de calibración.</translation>
     </message>
     <message>
       <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
@@ -8506,7 +8506,7 @@
     <message>
       <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
+      <translation>Cámara %1: la peor imagen es %2 con %3 px; repítala u omítala.</translation>
     </message>
     <message>
       <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
@@ -8516,12 +8516,12 @@
     <message>
       <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
+      <translation>Cámara %1: ningún modelo de cámara se ajusta a las imágenes de calibración.</translation>
     </message>
     <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: no se ve en ella el tablero; se aparta.</translation>
+      <translation>%1: no se detectó el tablero; la imagen se aparta.</translation>
     </message>
     <message>
       <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
@@ -8576,7 +8576,7 @@
     <message>
       <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que mide la regla debe ser una longitud en mm que quepa en el plato.</translation>
+      <translation>La longitud medida de la regla debe estar en mm y caber en el plato.</translation>
     </message>
     <message>
       <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
@@ -8586,12 +8586,12 @@
     <message>
       <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara %1 tiene una covarianza de otro tamaño; calibre otra vez el equipo.</translation>
+      <translation>La cámara %1 tiene una covarianza de tamaño erróneo; calibre otra vez el equipo.</translation>
     </message>
     <message>
       <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este equipo lo escribió otra versión; calibre otra vez el equipo.</translation>
+      <translation>Otra versión de Ostraka escribió este equipo; calíbrelo otra vez.</translation>
     </message>
     <message>
       <source>Camera %1 appears twice in the rig.</source>
@@ -8611,7 +8611,7 @@
     <message>
       <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este archivo ya existe y no es un equipo; nombre otro.</translation>
+      <translation>Este archivo ya existe y no es un equipo; elija otro nombre.</translation>
     </message>
     <message>
       <source>The log cannot be written.</source>
@@ -8626,7 +8626,7 @@
     <message>
       <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se perdió el programa.</translation>
+      <translation>No se conoce el estado de salida del programa.</translation>
     </message>
     <message>
       <source>The program cannot be started; install it.</source>
@@ -8636,17 +8636,17 @@
     <message>
       <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 terminó con un error; sus mensajes están en este archivo.</translation>
+      <translation>%1 terminó con un error; su salida está en este archivo.</translation>
     </message>
     <message>
       <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una migaja de %1 mm en x %2, y %3 mm se dejó aparte; si es un fragmento, fotografíelo solo.</translation>
+      <translation>Una migaja de %1 mm en x %2, y %3 mm se omitió; si es un fragmento, fotografíelo solo.</translation>
     </message>
     <message>
       <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Algo plano en x %1, y %2 mm se dejó aparte; puede ser una marca o suciedad en el plato.</translation>
+      <translation>Un objeto plano en x %1, y %2 mm se omitió; puede ser una marca o suciedad en el plato.</translation>
     </message>
     <message>
       <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
@@ -8671,32 +8671,32 @@
     <message>
       <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este colmap se compiló sin CUDA, que su estéreo denso necesita; instale uno con CUDA, o use --dense builtin, que no necesita nada.</translation>
+      <translation>Este COLMAP se compiló sin CUDA, que su estéreo denso necesita; instale uno con CUDA, o use --dense builtin, que no necesita ni lo uno ni lo otro.</translation>
     </message>
     <message>
       <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las máscaras de las vistas no tienen un objeto común; revise máscaras, cámaras y límites.</translation>
+      <translation>Las máscaras de las vistas no muestran un objeto común; revise máscaras, cámaras y límites.</translation>
     </message>
     <message>
       <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>InterfaceCOLMAP no dejó ninguna escena; sus mensajes están en este archivo.</translation>
+      <translation>InterfaceCOLMAP no escribió ninguna escena; su salida está en este archivo.</translation>
     </message>
     <message>
       <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La profundidad necesita al menos 3 fotos con cámaras conocidas.</translation>
+      <translation>El estéreo necesita al menos 3 fotos con cámaras conocidas.</translation>
     </message>
     <message>
       <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La foto o su máscara tiene otro tamaño que el de su cámara; dé la foto con la que se calibró la cámara.</translation>
+      <translation>La foto o su máscara tiene otro tamaño que las imágenes de su cámara; use fotos del tamaño con el que se calibró la cámara.</translation>
     </message>
     <message>
       <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La foto tiene otro tamaño que el de su cámara; dé la foto con la que se calibró la cámara.</translation>
+      <translation>La foto tiene otro tamaño que las imágenes con las que se calibró su cámara; use la foto original.</translation>
     </message>
     <message>
       <source>The mask and its photograph differ in size.</source>
@@ -8706,7 +8706,7 @@
     <message>
       <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 no encontró puntos del objeto; sus mensajes están en este archivo, y --dense builtin no necesita otro programa.</translation>
+      <translation>%1 no encontró puntos del objeto; su salida está en este archivo, y --dense builtin no necesita otro programa.</translation>
     </message>
     <message>
       <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
@@ -8716,12 +8716,12 @@
     <message>
       <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El programa %1 no está en el PATH, pero --dense %2 lo necesita; instálelo, o use --dense builtin, que no necesita nada.</translation>
+      <translation>El programa %1 no está en el PATH, pero --dense %2 lo necesita; instálelo, o use --dense builtin, que no necesita otro programa.</translation>
     </message>
     <message>
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se encontró ningún punto de la superficie en que coincidan dos vistas; revise cámaras y máscaras.</translation>
+      <translation>No hay dos vistas que coincidan en ningún punto de la superficie; revise cámaras y máscaras.</translation>
     </message>
     <message>
       <source>The picture could not be encoded.</source>
@@ -8746,12 +8746,12 @@
     <message>
       <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los fragmentos parecidos son grupos de dos: como mucho la mitad del número de fragmentos.</translation>
+      <translation>near_duplicates son grupos de dos: como mucho la mitad del número de fragmentos.</translation>
     </message>
     <message>
       <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El equipo necesita una cámara y al menos cuatro paradas; calíbrelo otra vez.</translation>
+      <translation>El equipo necesita una cámara y al menos cuatro posiciones; calíbrelo otra vez.</translation>
     </message>
     <message>
       <source>The virtual camera has no setting %1 of %2.</source>
@@ -8766,12 +8766,12 @@
     <message>
       <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP no encuentra cómo encajan estas fotografías; sus mensajes están en este archivo. Compruebe que todas muestran los mismos fragmentos con mucho solape, o fotografíe sobre una placa con marcas.</translation>
+      <translation>COLMAP no puede alinear estas fotografías; su salida está en este archivo. Compruebe que todas muestran los mismos fragmentos con mucho solape, o fotografíe sobre un plato de marcas.</translation>
     </message>
     <message>
       <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este modelo ya no está; calcule de nuevo su tanda.</translation>
+      <translation>Falta este modelo; reprocese su tanda.</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8781,7 +8781,7 @@
     <message>
       <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este fragmento está anulado, porque: %1</translation>
+      <translation>Este fragmento está anulado; motivo: %1</translation>
     </message>
     <message>
       <source>%1 is void and was left out.</source>
@@ -8826,7 +8826,7 @@
     <message>
       <source>A bag belongs to a context; enter the context first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una bolsa está en un contexto; escriba primero el contexto.</translation>
+      <translation>Una bolsa pertenece a un contexto; escriba primero el contexto.</translation>
     </message>
     <message>
       <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
@@ -8836,7 +8836,7 @@
     <message>
       <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todavía no hay ninguna bolsa %1 en el contexto %2; escríbala en la toma o importe una tabla de contextos que la contenga.</translation>
+      <translation>Todavía no hay ninguna bolsa %1 en el contexto %2; escríbala en la captura o importe una tabla de contextos que la contenga.</translation>
     </message>
     <message>
       <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
@@ -8846,12 +8846,12 @@
     <message>
       <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta tanda se está fotografiando; se calculará cuando termine.</translation>
+      <translation>Esta tanda se está fotografiando; se procesa después.</translation>
     </message>
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se omiten las uniones con fragmentos que la exportación no contiene o que no entraron: %1; anótelas a mano.</translation>
+      <translation>Se omiten las uniones con fragmentos que no están en la exportación o no se importaron: %1; escríbalas a mano.</translation>
     </message>
     <message>
       <source>'%1' can be read as %2 or as %3; write one of the two.</source>
@@ -8866,57 +8866,57 @@
     <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La tanda no está calculada hasta el final; deje que la cola la calcule y después se podrán ver sus parejas.</translation>
+      <translation>La tanda no está procesada del todo; deje que la cola la procese y después revise sus parejas.</translation>
     </message>
     <message>
       <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 se tomó de nuevo después de corregir su máscara; los trazos sobre la fotografía anterior se dejan fuera. Revise su máscara.</translation>
+      <translation>%1 se repitió después de editar su máscara; los trazos sobre la fotografía anterior se omiten. Revise su máscara.</translation>
     </message>
     <message>
       <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se omiten las uniones con filas que no entraron: %1; importe la tabla otra vez cuando esas filas estén corregidas.</translation>
+      <translation>Se omiten las uniones con filas que no se importaron: %1; corrija esas filas e importe la tabla otra vez.</translation>
     </message>
     <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número %1 se escribió para un fragmento de %2, que aún no está calculado.</translation>
+      <translation>El número %1 se escribió para un fragmento de %2, que aún no está procesada.</translation>
     </message>
     <message>
       <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o quítela.</translation>
+      <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o borre esa hoja.</translation>
     </message>
     <message>
       <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tras el signo = va un número.</translation>
+      <translation>Escriba un número tras =.</translation>
     </message>
     <message>
       <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es una carpeta, no un archivo; indique un archivo.</translation>
+      <translation>Es una carpeta, no un archivo; elija un archivo.</translation>
     </message>
     <message>
       <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es una tubería, no un archivo; indique un archivo.</translation>
+      <translation>Es una tubería, no un archivo; elija un archivo.</translation>
     </message>
     <message>
       <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un socket, no un archivo; indique un archivo.</translation>
+      <translation>Es un socket, no un archivo; elija un archivo.</translation>
     </message>
     <message>
       <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un dispositivo, no un archivo; indique un archivo.</translation>
+      <translation>Es un dispositivo, no un archivo; elija un archivo.</translation>
     </message>
     <message>
       <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay un enlace en el lugar del bloqueo de esta carpeta; bórrelo.</translation>
+      <translation>Un enlace ha ocupado el lugar del archivo de bloqueo de esta carpeta; borre el enlace.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
@@ -8926,7 +8926,7 @@
     <message>
       <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El JSON nombra «%1» dos veces en un objeto; borre uno de los dos.</translation>
+      <translation>El JSON contiene «%1» dos veces en un objeto; borre uno de los dos.</translation>
     </message>
     <message>
       <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
@@ -8946,7 +8946,7 @@
     <message>
       <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marca %1 del plato está reflejada: vistas desde arriba, sus esquinas van en sentido antihorario; imprima de nuevo el archivo del plato.</translation>
+      <translation>La marca %1 del plato está reflejada: vistas desde arriba, sus esquinas van en sentido antihorario; cree de nuevo el archivo del plato.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
@@ -8956,7 +8956,7 @@
     <message>
       <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las marcas %1 y %2 del plato se superponen; imprima de nuevo el archivo del plato.</translation>
+      <translation>Las marcas %1 y %2 del plato se superponen; cree de nuevo el archivo del plato.</translation>
     </message>
     <message>
       <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
@@ -8976,7 +8976,7 @@
     <message>
       <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay un enlace o un archivo donde corresponde una carpeta, o un enlace donde corresponde un archivo; ponga allí los archivos mismos.</translation>
+      <translation>Un enlace o un archivo ha ocupado el lugar de una carpeta, o un enlace el de un archivo; sustitúyalo por la carpeta o el archivo mismo.</translation>
     </message>
     <message>
       <source>A file of this name already exists; it is not overwritten.</source>
@@ -8986,27 +8986,27 @@
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La exportación indica un lugar del proyecto donde no corresponde un archivo así; no se ha introducido nada.</translation>
+      <translation>La exportación indica un lugar del proyecto donde no corresponde un archivo así; no se ha importado nada.</translation>
     </message>
     <message>
       <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo histórico contiene un diario de su catálogo, cosa que ninguno de Ostraka contiene; no se ha escrito nada.</translation>
+      <translation>La copia de archivo contiene un diario de su catálogo, cosa que ninguna de Ostraka contiene; no se ha escrito nada.</translation>
     </message>
     <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta de salida ya no está: se movió o se borró mientras el programa escribía en ella. Las fotografías están intactas; inicie de nuevo la misma orden.</translation>
+      <translation>La carpeta de salida ya no está: se movió o se borró mientras Ostraka escribía en ella. Las fotografías están intactas; ejecute de nuevo la misma orden.</translation>
     </message>
     <message>
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La carpeta ya contiene archivos; indique una nueva o vacía.</translation>
+      <translation>La carpeta ya contiene archivos; elija una nueva o vacía.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta carpeta es un disco propio, o aquella en la que usted está; indique una carpeta nueva dentro de ella.</translation>
+      <translation>Esta carpeta es un punto de montaje o la carpeta actual; elija una carpeta nueva dentro de ella.</translation>
     </message>
     <message>
       <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
@@ -9016,12 +9016,12 @@
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se dejó fuera del anverso un trozo del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
+      <translation>Se omitió en el anverso un objeto del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
     </message>
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Se dejó fuera del reverso un trozo del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
+      <translation>Se omitió en el reverso un objeto del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
     </message>
     <message>
       <source>If it is one, photograph it alone.</source>
@@ -9076,22 +9076,22 @@
     <message>
         <source>The catalogue cannot be read; check that it exists and check its permissions.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>No se puede leer el catálogo; compruebe que está ahí y sus permisos.</translation>
+        <translation>No se puede leer el catálogo; compruebe que existe y revise sus permisos.</translation>
     </message>
     <message>
         <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Este proyecto solo se puede leer y no hay espacio para una copia de lectura; libere espacio en la carpeta de archivos temporales.</translation>
+        <translation>Este proyecto es de solo lectura y no hay espacio para la copia que lee Ostraka; libere espacio en la carpeta de archivos temporales.</translation>
     </message>
     <message>
         <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Este proyecto es de un Ostraka anterior y aquí solo se puede leer; cópielo en una carpeta en la que pueda escribir y ábralo allí.</translation>
+        <translation>Un Ostraka anterior hizo este proyecto, y aquí es de solo lectura; cópielo en una carpeta en la que pueda escribir y ábralo allí.</translation>
     </message>
     <message>
         <source>The catalogue is damaged, and none of its backups is intact; copy one from an archive or another disk into the folder backups, then repair it again.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>El catálogo está dañado y ninguna de sus copias de seguridad está íntegra; copie una en la carpeta backups, desde un archivo o desde otro disco, y repárelo de nuevo.</translation>
+        <translation>El catálogo está dañado y ninguna de sus copias de seguridad está íntegra; copie una en la carpeta backups, desde una copia de archivo o desde otro disco, y repárelo de nuevo.</translation>
     </message>
     <message>
         <source>Another program has this project open; close it there, then repair it.</source>
@@ -9101,17 +9101,17 @@
     <message>
         <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>La tabla necesita una columna con los números de los fragmentos, o columnas de yacimiento y contexto (contextos); indique cuáles son.</translation>
+        <translation>La tabla necesita una columna con los números de los fragmentos, o columnas de yacimiento y contexto (contextos); selecciónelas.</translation>
     </message>
     <message>
         <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>De %1 filas se han introducido %2; la misma importación introduce las demás.</translation>
+        <translation>%1 filas en total, %2 importadas; ejecute la misma importación otra vez para las demás.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La columna &apos;%1&apos; dice lo mismo que &apos;%2&apos;; sus valores se guardan en un campo propio.</translation>
+      <translation>La columna &apos;%1&apos; significa lo mismo que &apos;%2&apos;; sus valores se guardan en un campo propio.</translation>
     </message>
     <message>
       <source>Check the drawing of %1: %2</source>
@@ -9282,17 +9282,17 @@
     <message>
       <source>One side only</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una sola cara</translation>
+      <translation>Un solo lado</translation>
     </message>
     <message>
       <source>Swap sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Intercambiar caras</translation>
+      <translation>Intercambiar lados</translation>
     </message>
     <message>
       <source>First photograph of the second side</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Primera foto de la segunda cara</translation>
+      <translation>Primera foto del segundo lado</translation>
     </message>
     <message>
       <source>Choose sheet…</source>

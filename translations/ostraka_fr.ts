@@ -24,7 +24,7 @@
     <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien importer</translation>
+      <translation>Annuler l&apos;importation</translation>
     </message>
 </context>
 <context>
@@ -55,7 +55,7 @@
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des paires ont été décidées ou des masques retouchés pendant le calcul du lot ; recalculez-le pour en tenir compte.</translation>
+      <translation>Des paires ont été décidées ou des masques modifiés pendant le traitement du lot ; retraitez-le pour en tenir compte.</translation>
     </message>
 </context>
 <context>
@@ -263,7 +263,7 @@
     <message>
       <source>unseen surface, %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>non vu, %</translation>
+      <translation>surface non vue, %</translation>
     </message>
 </context>
 <context>
@@ -276,7 +276,7 @@
     <message>
       <source>Not enough memory. Close other programs and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mémoire ne suffit pas ; fermez d’autres programmes et réessayez.</translation>
+      <translation>Pas assez de mémoire. Fermez d’autres programmes et réessayez.</translation>
     </message>
 </context>
 <context>
@@ -330,7 +330,7 @@
     <message>
       <source>ready (calibrated today)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>prêt (étalonné aujourd’hui)</translation>
+      <translation>prêt (calibré aujourd’hui)</translation>
     </message>
     <message numerus="yes">
       <source>ready (%n day(s) old)</source>
@@ -548,7 +548,7 @@
     <message>
       <source>shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>à refaire</translation>
+      <translation>à rephotographier</translation>
     </message>
     <message>
       <source>%1 – %2</source>
@@ -661,7 +661,7 @@
     <message>
       <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, à refaire</translation>
+      <translation>%1, à rephotographier</translation>
     </message>
     <message>
       <source>%1, void</source>
@@ -689,12 +689,12 @@
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>face %1</translation>
+        <translation>face avant %1</translation>
     </message>
     <message>
         <source>back %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>revers %1</translation>
+        <translation>face arrière %1</translation>
     </message>
     <message>
         <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
@@ -719,17 +719,17 @@
     <message>
         <source>No front</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Pas de face</translation>
+        <translation>Pas de face avant</translation>
     </message>
     <message>
         <source>This back is to be reshot.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ce revers est à rephotographier.</translation>
+        <translation>Cette face arrière est à rephotographier.</translation>
     </message>
     <message>
         <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Aucune face n&apos;a ce revers. Faites-le glisser sur sa face, fusionnez-le avec un autre ou mettez-le de côté.</translation>
+        <translation>Aucune face avant n&apos;a cette face arrière. Faites-la glisser sur sa face avant, fusionnez-la avec une autre ou mettez-la de côté.</translation>
     </message>
     <message>
         <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
@@ -744,7 +744,7 @@
     <message>
         <source>%1 fits barely better than an unrelated back.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 va à peine mieux qu&apos;un revers étranger.</translation>
+        <translation>%1 va à peine mieux qu&apos;une face arrière étrangère.</translation>
     </message>
     <message>
         <source>Ambiguous: a second position fits almost as well.</source>
@@ -764,7 +764,7 @@
     <message>
         <source>No back</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Pas de revers</translation>
+        <translation>Pas de face arrière</translation>
     </message>
     <message>
         <source>Sure</source>
@@ -839,22 +839,22 @@
     <message>
       <source>The fracture barely fixes the position: uncertain by %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le bord fixe à peine la position : incertaine de %1.</translation>
+      <translation>La cassure fixe à peine la position : incertaine de %1.</translation>
     </message>
     <message>
       <source>A position %1 along the contour fits almost as well.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un endroit %1 plus loin sur le bord va presque aussi bien.</translation>
+      <translation>Une position %1 plus loin sur le contour va presque aussi bien.</translation>
     </message>
     <message>
       <source>The fractures cannot be compared; only the outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords ne peuvent pas être comparés ; seuls les contours lient ces faces.</translation>
+      <translation>Les cassures ne peuvent pas être comparées ; seuls les contours lient ces faces.</translation>
     </message>
     <message>
       <source>The fractures barely touch: %1 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords se rencontrent à peine : %1 d’entre eux.</translation>
+      <translation>Les cassures se touchent à peine : %1 d’entre elles.</translation>
     </message>
     <message>
       <source>refined</source>
@@ -864,12 +864,12 @@
     <message>
       <source>Turned by hand: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tourné à la main : %1 des bords se rencontrent.</translation>
+      <translation>Tourné à la main : %1 des cassures se touchent.</translation>
     </message>
     <message>
       <source>Trying another start point: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre point de départ est essayé : %1 des bords se rencontrent.</translation>
+      <translation>Un autre point de départ est essayé : %1 des cassures se touchent.</translation>
     </message>
     <message>
       <source>Trying another start point.</source>
@@ -879,12 +879,12 @@
     <message>
       <source>Refined by the fractures: %1 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajusté par les bords : %1 d’entre eux se rencontrent.</translation>
+      <translation>Ajusté par les cassures : %1 d’entre elles se touchent.</translation>
     </message>
     <message>
       <source>Refined by the fractures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ajusté par les bords.</translation>
+      <translation>Ajusté par les cassures.</translation>
     </message>
     <message>
       <source>Trying %1: %2.</source>
@@ -894,12 +894,12 @@
     <message>
       <source>Trying %1: %2, fractures %3 apart.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est essayée : %2, bords à %3.</translation>
+      <translation>%1 est essayée : %2, cassures à %3.</translation>
     </message>
     <message>
       <source>Trying %1: %2; its fractures do not touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est essayée : %2 ; les bords ne se rencontrent pas.</translation>
+      <translation>%1 est essayée : %2 ; les cassures ne se touchent pas.</translation>
     </message>
     <message>
       <source>sherd %1 of %2</source>
@@ -992,7 +992,7 @@
     <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pour ce lot, les caméras ont été retrouvées ; calibrez de nouveau le banc (C).</translation>
+      <translation>Pour ce lot, les appareils ont été retrouvés ; calibrez de nouveau le banc (C).</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1060,7 +1060,7 @@
     <message>
         <source>Draft: review it, then reprocess it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Brouillon : examinez-le, puis retraitez-le</translation>
+        <translation>Ébauche : examinez-la, puis retraitez le lot</translation>
     </message>
     <message>
         <source>Masks edited: reprocess it</source>
@@ -1095,7 +1095,7 @@
     <message>
         <source>draft, to be reprocessed; %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>brouillon, à retraiter ; %1</translation>
+        <translation>ébauche, à retraiter ; %1</translation>
     </message>
     <message numerus="yes">
         <source>%1; %n to reshoot</source>
@@ -1114,14 +1114,14 @@
       <source>%1 is ready: %n sherd(s).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1 est calculé : %n tesson.</numerusform>
-        <numerusform>%1 est calculé : %n tessons.</numerusform>
+        <numerusform>%1 est prêt : %n tesson.</numerusform>
+        <numerusform>%1 est prêt : %n tessons.</numerusform>
       </translation>
     </message>
     <message>
       <source>You cancelled it. Finished stages are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vous l’avez arrêté. Ce qui était calculé est gardé.</translation>
+      <translation>Vous l’avez annulé. Les étapes terminées sont enregistrées.</translation>
     </message>
     <message>
       <source>You removed it from the queue.</source>
@@ -1139,12 +1139,12 @@
     <message>
       <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La caméra %1 a été heurtée : elle manque les repères de %2 px, à %3 mm de l'endroit de sa calibration.</translation>
+      <translation>L'appareil %1 a été heurté : il manque les marques de %2 px, à %3 mm de l'endroit de sa calibration.</translation>
     </message>
     <message>
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le calcul n'est pas allé jusqu'au bout ; recalculez le lot.</translation>
+      <translation>Il a été interrompu ; retraitez-le.</translation>
     </message>
 </context>
 <context>
@@ -1269,7 +1269,7 @@
     <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter et annuler</translation>
+      <translation>Annuler et défaire</translation>
     </message>
 </context>
 <context>
@@ -1443,32 +1443,32 @@
     <message>
       <source>Stop turntable</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter la table</translation>
+      <translation>Arrêter la table tournante</translation>
     </message>
     <message>
       <source>Change rig…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre banc…</translation>
+      <translation>Changer de banc…</translation>
     </message>
     <message>
       <source>Loading picture…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image arrive.</translation>
+      <translation>Chargement de l’image…</translation>
     </message>
     <message>
       <source>Check this first</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Regardez d’abord ceci</translation>
+      <translation>Vérifiez d’abord ceci</translation>
     </message>
     <message>
       <source>Type how many sherds lie there</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dire combien de tessons sont là</translation>
+      <translation>Saisir combien de tessons sont là</translation>
     </message>
     <message>
       <source>Import cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L'importation est arrêtée ; rien n'a été laissé.</translation>
+      <translation>Importation annulée ; rien n'a été laissé.</translation>
     </message>
     <message>
       <source>Import anyway</source>
@@ -1483,12 +1483,12 @@
     <message>
       <source>Keep these numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ils sont justes</translation>
+      <translation>Garder ces numéros</translation>
     </message>
     <message>
         <source>%1 The rig that worked before stays in use.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 L&apos;installation précédente reste utilisée.</translation>
+        <translation>%1 Le banc précédent reste utilisé.</translation>
     </message>
     <message>
       <source>Stop</source>
@@ -1705,7 +1705,7 @@
     <message>
       <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces prises.</translation>
+      <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces avant prises.</translation>
     </message>
     <message>
       <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
@@ -1720,27 +1720,27 @@
     <message>
       <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vous avez compté %1 tessons, les photos en montrent %2 : regardez si l&apos;un d&apos;eux est en morceaux ou s&apos;il y a là une chose qui n&apos;est pas un tesson, ou corrigez le nombre.</translation>
+      <translation>Vous avez compté %1 tessons, les photos en montrent %2 : regardez si l&apos;un d&apos;eux est en fragments ou s&apos;il y a là une chose qui n&apos;est pas un tesson, ou corrigez le nombre.</translation>
     </message>
     <message>
         <source>The rig does not open</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>L&apos;installation ne s&apos;ouvre pas</translation>
+        <translation>Le banc ne s&apos;ouvre pas</translation>
     </message>
     <message>
         <source>Taking calibration photographs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Prise des photos d&apos;étalonnage</translation>
+        <translation>Prise des photos de calibration</translation>
     </message>
     <message>
         <source>The virtual rig turns the sherds over</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>L&apos;installation virtuelle retourne les tessons</translation>
+        <translation>Le banc virtuel retourne les tessons</translation>
     </message>
     <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Rien à faire à la main : photographiez les revers.</translation>
+        <translation>Rien à faire à la main : photographiez les faces arrière.</translation>
     </message>
     <message>
         <source>Resume at position %1</source>
@@ -1750,12 +1750,12 @@
     <message>
         <source>Shoot the backs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographier les revers</translation>
+        <translation>Photographier les faces arrière</translation>
     </message>
     <message>
         <source>Calibration photograph %1 of %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photo d&apos;étalonnage %1 sur %2</translation>
+        <translation>Photo de calibration %1 sur %2</translation>
     </message>
     <message>
         <source>Position %1 of %2</source>
@@ -1765,7 +1765,7 @@
     <message>
         <source>Opening the rig…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ouverture de l&apos;installation</translation>
+        <translation>Ouverture du banc…</translation>
     </message>
     <message>
         <source>Lighting OK</source>
@@ -1781,14 +1781,14 @@
       <source>The %n photograph(s) of this side so far are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>La photographie déjà prise de cette face est en sûreté.</numerusform>
-        <numerusform>Les %n photographies déjà prises de cette face sont en sûreté.</numerusform>
+        <numerusform>La photographie déjà prise de cette face est enregistrée.</numerusform>
+        <numerusform>Les %n photographies déjà prises de cette face sont enregistrées.</numerusform>
       </translation>
     </message>
     <message>
       <source>Camera %1 at position %2: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1, arrêt %2 : %3</translation>
+      <translation>Appareil %1 à la position %2 : %3</translation>
     </message>
     <message>
       <source>Check the plate before you clear it</source>
@@ -1798,12 +1798,12 @@
     <message>
       <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Face avant vers le haut, un doigt d’écart, les repères du bord dégagés.</translation>
+      <translation>Face avant vers le haut, un doigt d’écart, les marques du bord dégagées.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne touchez pas la table. Échap l’arrête aussitôt.</translation>
+      <translation>Ne touchez pas la table tournante. Échap l’arrête aussitôt.</translation>
     </message>
     <message>
       <source>Space accepts anyway, R photographs the backs again.</source>
@@ -1813,20 +1813,20 @@
     <message>
       <source>Accept and queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est juste : dans la file</translation>
+      <translation>Accepter et mettre en file</translation>
     </message>
     <message numerus="yes">
       <source>%n photograph(s) saved</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n photographie en sûreté</numerusform>
-        <numerusform>%n photographies en sûreté</numerusform>
+        <numerusform>%n photographie enregistrée</numerusform>
+        <numerusform>%n photographies enregistrées</numerusform>
       </translation>
     </message>
     <message>
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repères %1 sur %2</translation>
+      <translation>Marques %1 sur %2</translation>
     </message>
     <message>
       <source>Releasing the camera from the desktop</source>
@@ -1836,22 +1836,22 @@
     <message>
       <source>Release camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Libérer l’appareil du bureau</translation>
+      <translation>Libérer l’appareil</translation>
     </message>
     <message>
       <source>Markers %1 of %2, %3 needed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repères %1 sur %2, il en faut %3</translation>
+      <translation>Marques %1 sur %2, il en faut %3</translation>
     </message>
     <message>
       <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ses tessons sont dans la vérification (Ctrl+3) : regardez tant qu'ils sont encore là</translation>
+      <translation>Ses tessons sont dans l'examen (Ctrl+3) : vérifiez-les tant qu'ils sont encore là</translation>
     </message>
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Le plateau est arrêté. Les photos enregistrées sont conservées.</translation>
+        <translation>La table tournante est arrêtée. Les photos enregistrées sont conservées.</translation>
     </message>
 </context>
 <context>
@@ -2017,12 +2017,12 @@
     <message>
       <source>Dismiss</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne plus le signaler</translation>
+      <translation>Ignorer</translation>
     </message>
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Oui, il est annulé</translation>
+        <translation>Annuler le tesson</translation>
     </message>
 </context>
 <context>
@@ -2173,22 +2173,22 @@
     <message>
       <source>Shaded form</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lumière et ombre de la forme</translation>
+      <translation>Forme ombrée</translation>
     </message>
     <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Selon les parties, ou selon la vraisemblance</translation>
+      <translation>Automatique</translation>
     </message>
     <message>
       <source>Rim sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est un bord</translation>
+      <translation>Tesson de bord</translation>
     </message>
     <message>
       <source>No rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un bord</translation>
+      <translation>Pas de bord</translation>
     </message>
     <message>
       <source>Save…</source>
@@ -2203,17 +2203,17 @@
     <message>
       <source>Previous sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La feuille précédente</translation>
+      <translation>Feuille précédente</translation>
     </message>
     <message>
       <source>Next sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La feuille suivante</translation>
+      <translation>Feuille suivante</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was drawn.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; rien n’a été dessiné.</translation>
+      <translation>Annulé. Rien n’a été dessiné.</translation>
     </message>
     <message numerus="yes">
       <source>Drawing %n sherd(s)…</source>
@@ -2299,12 +2299,12 @@
     <message>
       <source>No sherds match this selection.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun tesson ne convient ; choisissez-en d’autres.</translation>
+      <translation>Aucun tesson ne correspond à cette sélection.</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; rien n’est resté.</translation>
+      <translation>Annulé. Rien n’est resté.</translation>
     </message>
 </context>
 <context>
@@ -2440,12 +2440,12 @@
     <message>
       <source>Stop the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêter l’export</translation>
+      <translation>Arrêter l’exportation</translation>
     </message>
     <message>
       <source>Export: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Export : %1</translation>
+      <translation>Exportation : %1</translation>
     </message>
     <message>
       <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
@@ -2455,7 +2455,7 @@
     <message>
         <source>Matching the filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Selon le filtre</translation>
+        <translation>Correspondant au filtre</translation>
     </message>
     <message>
         <source>Formats</source>
@@ -2490,7 +2490,7 @@
     <message>
       <source>Folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Où mettre le dossier ?</translation>
+      <translation>Dossier de l’exportation</translation>
     </message>
     <message>
       <source>fit to A4</source>
@@ -2500,7 +2500,7 @@
     <message>
       <source>simplified, within %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>allégés, à %1 mm près</translation>
+      <translation>simplifiés, à %1 mm près</translation>
     </message>
 </context>
 <context>
@@ -2742,7 +2742,7 @@
     <message>
       <source>updated</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modifié</translation>
+      <translation>mis à jour</translation>
     </message>
     <message>
       <source>rejected</source>
@@ -2752,7 +2752,7 @@
     <message>
       <source>unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>tel quel</translation>
+      <translation>inchangé</translation>
     </message>
     <message>
       <source>Table (CSV)…</source>
@@ -2772,12 +2772,12 @@
     <message>
       <source>Save rejected rows…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistrer ce qui est refusé …</translation>
+      <translation>Enregistrer les lignes refusées …</translation>
     </message>
     <message>
       <source>Save rejected rows</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistrer ce qui est refusé</translation>
+      <translation>Enregistrer les lignes refusées</translation>
     </message>
     <message>
       <source>rejected.csv</source>
@@ -2792,34 +2792,34 @@
     <message>
       <source>Action</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ce qui arrive</translation>
+      <translation>Action</translation>
     </message>
     <message>
       <source>Reason</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pourquoi pas</translation>
+      <translation>Raison</translation>
     </message>
     <message>
       <source>Reading…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Examen …</translation>
+      <translation>Lecture…</translation>
     </message>
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Inscrit : %1</translation>
+      <translation>Importé : %1</translation>
     </message>
     <message>
       <source>Cancel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien prendre</translation>
+      <translation>Annuler</translation>
     </message>
     <message numerus="yes">
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Inscrire %n ligne</numerusform>
-        <numerusform>Inscrire %n lignes</numerusform>
+        <numerusform>Importer %n ligne</numerusform>
+        <numerusform>Importer %n lignes</numerusform>
       </translation>
     </message>
 </context>
@@ -2851,19 +2851,19 @@
     <message>
       <source>%1 new, %2 updated, %3 unchanged, %4 rejected.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 nouveaux, %2 modifiés, %3 tels quels, %4 refusés.</translation>
+      <translation>%1 nouveaux, %2 mis à jour, %3 inchangés, %4 refusés.</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; rien n’a été inscrit.</translation>
+      <translation>Annulé. Rien n’a été importé.</translation>
     </message>
     <message numerus="yes">
       <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Arrêté : %n ligne n'est pas saisie. Importez de nouveau le tableau pour le reste.</numerusform>
-        <numerusform>Arrêté : %n lignes ne sont pas saisies. Importez de nouveau le tableau pour le reste.</numerusform>
+        <numerusform>Annulé : %n ligne n'a pas été importée. Importez de nouveau le tableau pour le reste.</numerusform>
+        <numerusform>Annulé : %n lignes n'ont pas été importées. Importez de nouveau le tableau pour le reste.</numerusform>
       </translation>
     </message>
 </context>
@@ -2877,7 +2877,7 @@
     <message>
       <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Quelle face avant va avec celle de %1 ? Choisissez sa carte (flèches et Entrée) ; un clic sur l’image d’une face arrière joint les faces arrière.</translation>
+      <translation>Quelle face avant va avec celle de %1 ? Choisissez sa carte (flèches et Entrée) ; un clic sur l’image d’une face arrière fusionne les faces arrière.</translation>
     </message>
 </context>
 <context>
@@ -3000,7 +3000,7 @@
     <message>
       <source>Queue: editing masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>File : corriger les masques</translation>
+      <translation>File : modification des masques</translation>
     </message>
     <message>
       <source>%1 (read-only)</source>
@@ -3010,7 +3010,7 @@
     <message>
       <source>This project is read-only: you can look at everything, but change nothing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce projet ne peut être que lu : regardez tout ; les modifications sont refusées.</translation>
+      <translation>Ce projet est en lecture seule : vous pouvez tout regarder, mais rien modifier.</translation>
     </message>
 </context>
 <context>
@@ -3086,7 +3086,7 @@
     <message>
       <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce lot a été scanné, non photographié : il n’y a pas d’image de son plateau.</translation>
+      <translation>Ce lot a été numérisé, non photographié : il n’y a pas d’image de son plateau.</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
@@ -3337,7 +3337,7 @@
     <message>
       <source>Stopped; the back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté ; le revers reste où il était.</translation>
+      <translation>Arrêté ; la face arrière reste où elle était.</translation>
     </message>
     <message>
       <source>What was only tried is gone: its pairs were closed since.</source>
@@ -3362,47 +3362,47 @@
     <message>
       <source>The fractures do not touch here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords ne se rencontrent pas ici.</translation>
+      <translation>Les cassures ne se touchent pas ici.</translation>
     </message>
     <message>
       <source>Fractures %1 apart, %2 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bords à %1, %2 d’entre eux se rencontrent.</translation>
+      <translation>Cassures à %1, %2 d’entre elles se touchent.</translation>
     </message>
     <message>
       <source>Turned by hand; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tourné à la main ; B laisse les bords s’ajuster.</translation>
+      <translation>Tourné à la main ; B affine l’ajustement.</translation>
     </message>
     <message>
       <source>Start point %1; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Point de départ %1 ; B laisse les bords s’ajuster.</translation>
+      <translation>Point de départ %1 ; B affine l’ajustement.</translation>
     </message>
     <message>
       <source>One of the two has no back to merge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’un des deux n’a pas de face arrière à joindre.</translation>
+      <translation>L’un des deux n’a pas de face arrière à fusionner.</translation>
     </message>
     <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ajustement par les bords</translation>
+      <translation>ajustement par les cassures</translation>
     </message>
     <message>
       <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette paire n’a pas encore de modèle fermé ; il est fait au calcul du lot.</translation>
+      <translation>Cette paire n’a pas encore de modèle fermé. Retraitez le lot pour le créer.</translation>
     </message>
     <message>
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette face arrière est seule.</translation>
+      <translation>Cette face arrière n’a pas de partenaire.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré, avec votre nom ; mais les bords de %1 et %2 se rencontrent à peine : %3 d’entre eux.</translation>
+      <translation>Enregistré, avec votre nom ; mais les cassures de %1 et %2 se touchent à peine : %3 d’entre elles.</translation>
     </message>
 </context>
 <context>
@@ -3483,7 +3483,7 @@
     <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>site-tranchée-contexte-sac, s’il vous plaît</translation>
+      <translation>écrivez site-tranchée-contexte-sac</translation>
     </message>
 </context>
 <context>
@@ -3560,7 +3560,7 @@
     <message>
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une caméra a été heurtée : les photos de ce lot disent où sont les caméras à présent (C)</translation>
+      <translation>Un appareil a été heurté : les photos de ce lot disent où sont les appareils à présent (C)</translation>
     </message>
     <message>
         <source>Reprocess</source>
@@ -3600,7 +3600,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Réétalonner</translation>
+        <translation>Recalibrer le banc</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -3650,7 +3650,7 @@
     <message>
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Poursuivre</translation>
+        <translation>Poursuivre le traitement</translation>
     </message>
 </context>
 <context>
@@ -3668,7 +3668,7 @@
     <message>
       <source>Screens</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Postes</translation>
+      <translation>Écrans</translation>
     </message>
 </context>
 <context>
@@ -3811,7 +3811,7 @@
     <message>
         <source>Split a scan of two sherds along a line over its photograph (K)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Scinder un scan de deux tessons le long d&apos;une ligne sur sa photo (K)</translation>
+        <translation>Scinder une numérisation de deux tessons le long d&apos;une ligne sur sa photo (K)</translation>
     </message>
     <message>
         <source>Merge</source>
@@ -3821,12 +3821,12 @@
     <message>
         <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Fusionner deux fragments d&apos;un tesson : choisissez ensuite l&apos;autre carte (J faces, Maj+J revers)</translation>
+        <translation>Fusionner deux fragments d&apos;un tesson : choisissez ensuite l&apos;autre carte (J faces avant, Maj+J faces arrière)</translation>
     </message>
     <message>
         <source>Merge backs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Fusionner les revers</translation>
+        <translation>Fusionner les faces arrière</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -3836,12 +3836,12 @@
     <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparaison des bords … Échap arrête.</translation>
+      <translation>Comparaison des cassures … Échap arrête.</translation>
     </message>
     <message>
       <source>Refining the fit, fracture gap %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les bords se calent : %1. Échap arrête.</translation>
+      <translation>Ajustement en cours, écart des cassures %1. Échap arrête.</translation>
     </message>
 </context>
 <context>
@@ -3874,7 +3874,7 @@
     <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vérification</translation>
+      <translation>Examen</translation>
     </message>
     <message>
       <source>Models of %1</source>
@@ -3919,29 +3919,29 @@
     <message>
       <source>%1 is queued; only what changed is reprocessed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 attend d’être calculé ; seul ce qui a changé est refait.</translation>
+      <translation>%1 est en attente ; seul ce qui a changé est retraité.</translation>
     </message>
     <message>
       <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Les paires des nouveaux morceaux viennent avec le calcul.</translation>
+      <translation>Enregistré. Les paires des nouveaux fragments apparaissent après le retraitement.</translation>
     </message>
     <message>
       <source>Undone. The history keeps both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Repris. Les deux restent dans l’historique.</translation>
+      <translation>Annulé. L’historique garde les deux.</translation>
     </message>
     <message>
       <source>No pairs to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune paire n’a besoin de votre œil</translation>
+      <translation>Aucune paire à examiner</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n paire a besoin de votre œil</numerusform>
-        <numerusform>%n paires ont besoin de votre œil</numerusform>
+        <numerusform>%n paire à examiner</numerusform>
+        <numerusform>%n paires à examiner</numerusform>
       </translation>
     </message>
     <message>
@@ -3952,22 +3952,22 @@
     <message>
       <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Une fois le calcul fait, le tesson réuni n’aura pas de numéro, et %1 reste sans pièce. Annuler les sépare de nouveau.</translation>
+      <translation>Enregistré. Après le retraitement, le tesson fusionné n’aura pas de numéro, et %1 n’aura pas de fragment. Annuler les sépare de nouveau.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Une fois le calcul fait, le tesson réuni garde le numéro %1, et %2 reste sans pièce. Annuler les sépare de nouveau.</translation>
+      <translation>Enregistré. Après le retraitement, le tesson fusionné garde le numéro %1, et %2 n’a pas de fragment. Annuler les sépare de nouveau.</translation>
     </message>
     <message>
       <source>%1 has no scale: no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune longueur n'est connue sur %1 : aucun chiffre ni aucune longueur affichés ici ne sont en millimètres.</translation>
+      <translation>%1 n’a pas d’échelle : aucune longueur affichée ici n’est en millimètres.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré. Au calcul, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les réunit.</translation>
+      <translation>Enregistré. Après le retraitement, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les fusionne de nouveau.</translation>
     </message>
 </context>
 <context>
@@ -4060,7 +4060,7 @@
     <message>
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Garder l&apos;installation actuelle</translation>
+        <translation>Garder le banc actuel</translation>
     </message>
 </context>
 <context>
@@ -4567,7 +4567,7 @@
     <message>
         <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Pas encore de projet. Créez-en un, ou essayez tout avec l&apos;installation virtuelle : elle casse un pot et photographie ses tessons.</translation>
+        <translation>Pas encore de projet. Créez-en un, ou essayez tout avec le banc virtuel : il casse un pot et photographie ses tessons.</translation>
     </message>
     <message>
         <source>Create project</source>
@@ -4612,7 +4612,7 @@
     <message>
       <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 arrêts sur %2 sont faits</translation>
+      <translation>%1 positions sur %2 sont faites</translation>
     </message>
 </context>
 <context>
@@ -4653,7 +4653,7 @@
     <message>
         <source>filled in, not seen by a camera</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>comblé, vu par aucune caméra</translation>
+        <translation>comblé, vu par aucun appareil</translation>
     </message>
     <message>
         <source>Distance between the sides along the fracture</source>
@@ -4724,7 +4724,7 @@
     <message>
       <source>%1, camera %2, position %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, appareil %2, arrêt %3</translation>
+      <translation>%1, appareil %2, position %3</translation>
     </message>
 </context>
 <context>
@@ -4884,12 +4884,12 @@
     <message>
       <source>Example</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tesson sera</translation>
+      <translation>Exemple</translation>
     </message>
     <message>
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Numéroter ainsi désormais</translation>
+      <translation>Utiliser cette &amp;numérotation</translation>
     </message>
 </context>
 <context>
@@ -4970,7 +4970,7 @@
     <message>
       <source>&amp;Save vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En&amp;registrer les mots</translation>
+      <translation>En&amp;registrer le vocabulaire</translation>
     </message>
     <message>
       <source>&amp;One per line</source>
@@ -4980,22 +4980,22 @@
     <message>
       <source>Project vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mots du projet ouvert</translation>
+      <translation>Vocabulaire du projet</translation>
     </message>
     <message>
       <source>Terms, one per line</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mots, un par ligne</translation>
+      <translation>Termes, un par ligne</translation>
     </message>
     <message>
       <source>change the vocabulary</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modification des mots</translation>
+      <translation>modification du vocabulaire</translation>
     </message>
     <message>
       <source>These terms are not saved yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ces mots ne sont pas encore enregistrés.</translation>
+      <translation>Ces termes ne sont pas encore enregistrés.</translation>
     </message>
 </context>
 <context>
@@ -5047,7 +5047,7 @@
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n'y a pas de scans (*.ply) dans son dossier %1/. Choisissez un dossier qui contient front/ et back/.</translation>
+      <translation>Il n'y a pas de numérisations (*.ply) dans son dossier %1/. Choisissez un dossier qui contient front/ et back/.</translation>
     </message>
     <message>
       <source>This folder cannot be read to its end: %1.</source>
@@ -5098,37 +5098,37 @@
     <message>
       <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des tessons se touchent ou presque à %1 du milieu du plateau : écartez-les et photographiez à nouveau.</translation>
+      <translation>Des tessons se touchent ou presque à %1 du milieu du plateau : écartez-les et rephotographiez.</translation>
     </message>
     <message>
       <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce qui se trouve à %1 du milieu du plateau a été compté comme un seul, mais il peut s’agir de deux tessons qui se touchent : regardez ; si oui, écartez-les et photographiez à nouveau.</translation>
+      <translation>Ce qui se trouve à %1 du milieu du plateau a été compté comme un seul, mais il peut s’agir de deux tessons qui se touchent : vérifiez ; si oui, écartez-les et rephotographiez.</translation>
     </message>
     <message>
       <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le verso ressemble au recto : retournez les tessons et photographiez-les à nouveau.</translation>
+      <translation>La face arrière ressemble à la face avant : retournez les tessons et rephotographiez-les.</translation>
     </message>
     <message>
       <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons du verso n’ont pas pu être comptés : comparez vous-même les images avant de vider le plateau.</translation>
+      <translation>Les tessons de la face arrière n’ont pas pu être comptés : comparez les images avant de vider le plateau.</translation>
     </message>
     <message>
       <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons du recto n’ont pas pu être comptés : comparez vous-même les images avant de vider le plateau.</translation>
+      <translation>Les tessons de la face avant n’ont pas pu être comptés : comparez les images avant de vider le plateau.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le recto montrait %1 tessons, le verso %2 : cherchez celui qui manque avant de vider le plateau.</translation>
+      <translation>La face avant montrait %1 tessons, la face arrière %2 : cherchez celui qui manque avant de vider le plateau.</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le recto montrait %1 tessons, le verso %2 : un tesson a-t-il été ajouté, ou s’est-il cassé ?</translation>
+      <translation>La face avant montrait %1 tessons, la face arrière %2 : vérifiez si un tesson a été ajouté ou s’est cassé.</translation>
     </message>
 </context>
 <context>
@@ -5136,7 +5136,7 @@
     <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arrêté à la demande.</translation>
+      <translation>Annulé.</translation>
     </message>
     <message>
       <source>The camera is not plugged in.</source>
@@ -5151,7 +5151,7 @@
     <message>
       <source>The camera does not answer and may be asleep. Turn off its automatic power-off.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil ne répond pas ; est-il en veille ? Désactivez son extinction automatique.</translation>
+      <translation>L’appareil ne répond pas et est peut-être en veille. Désactivez son extinction automatique.</translation>
     </message>
     <message>
       <source>The camera stays busy; switch it off and on.</source>
@@ -5161,22 +5161,22 @@
     <message>
       <source>The connection to the camera failed; check its cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La liaison avec l’appareil est rompue ; regardez son câble.</translation>
+      <translation>La liaison avec l’appareil a échoué ; vérifiez son câble.</translation>
     </message>
     <message>
       <source>Another program uses the camera, often the desktop&apos;s file manager; &apos;ostraka devices&apos; names it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre programme tient l’appareil, souvent le gestionnaire de fichiers ; 'ostraka devices' le nomme.</translation>
+      <translation>Un autre programme utilise l’appareil, souvent le gestionnaire de fichiers ; 'ostraka devices' le nomme.</translation>
     </message>
     <message>
       <source>The camera cannot be opened; check this user&apos;s permissions with &apos;ostraka devices&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil ne peut pas être ouvert ; cet utilisateur en a-t-il le droit ? Voyez 'ostraka devices'.</translation>
+      <translation>L’appareil ne peut pas être ouvert ; vérifiez les droits de cet utilisateur avec 'ostraka devices'.</translation>
     </message>
     <message>
       <source>The camera sent no photograph; check that it is focused and set to manual.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune photo n’est venue de l’appareil ; est-il mis au point et en mode manuel ?</translation>
+      <translation>Aucune photo n’est venue de l’appareil ; vérifiez qu’il est mis au point et en mode manuel.</translation>
     </message>
     <message>
       <source>The camera does not stop sending photographs.</source>
@@ -5191,7 +5191,7 @@
     <message>
       <source>The turntable does not reach its angle; check that nothing blocks it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante n’atteint pas son angle ; est-elle bloquée ?</translation>
+      <translation>La table tournante n’atteint pas son angle ; vérifiez que rien ne la bloque.</translation>
     </message>
     <message>
       <source>The turntable was paused with its own button.</source>
@@ -5201,7 +5201,7 @@
     <message>
       <source>The turntable&apos;s position is unknown: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La position de la table n’est pas connue : remettez-la à zéro ou alignez-la.</translation>
+      <translation>La position de la table tournante n’est pas connue : remettez-la à zéro ou alignez-la.</translation>
     </message>
     <message>
       <source>The turntable does not answer on the network.</source>
@@ -5211,22 +5211,22 @@
     <message>
       <source>The controller restarted; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le contrôleur a redémarré ; la position de la table n’est pas connue.</translation>
+      <translation>Le contrôleur a redémarré ; la position de la table tournante n’est pas connue.</translation>
     </message>
     <message>
       <source>A reply from the turntable was lost, and it cannot report its position: home it or align it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une réponse de la table s’est perdue et elle ne peut dire où elle est : remettez-la à zéro ou alignez-la.</translation>
+      <translation>Une réponse de la table tournante s’est perdue et elle ne peut indiquer sa position : remettez-la à zéro ou alignez-la.</translation>
     </message>
     <message>
       <source>The turntable does not answer like a GRBL controller; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table ne répond pas comme un contrôleur GRBL : est-elle allumée, et de ce type ?</translation>
+      <translation>La table tournante ne répond pas comme un contrôleur GRBL ; vérifiez qu’elle est allumée et de ce type.</translation>
     </message>
     <message>
       <source>The turntable does not answer like a ComXim; check that it is switched on and of this type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table ne répond pas comme une ComXim : est-elle allumée, et de ce type ?</translation>
+      <translation>La table tournante ne répond pas comme une ComXim ; vérifiez qu’elle est allumée et de ce type.</translation>
     </message>
     <message>
       <source>USB does not work on this computer.</source>
@@ -5241,7 +5241,7 @@
     <message>
       <source>The disk is full; free some space and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le disque est plein ; libérez de la place et relancez la même chose.</translation>
+      <translation>Le disque est plein ; libérez de la place et réessayez.</translation>
     </message>
     <message>
       <source>The disk is full; free some space, then try again. No data was lost.</source>
@@ -5251,7 +5251,7 @@
     <message>
       <source>Another program is using the catalogue; close it, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre programme occupe le catalogue ; fermez-le, puis réessayez.</translation>
+      <translation>Un autre programme utilise le catalogue ; fermez-le, puis réessayez.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>
@@ -5266,22 +5266,22 @@
     <message>
       <source>New sites and trenches: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sites et tranchées qui n’existaient pas : %1 ; vérifiez qu’aucun n’est une faute de frappe.</translation>
+      <translation>Nouveaux sites et tranchées : %1 ; vérifiez qu’il n’y a pas de faute de frappe.</translation>
     </message>
     <message>
       <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les résultats de ce lot ne sont plus là ; recalculez-le, puis décidez.</translation>
+      <translation>Les résultats de ce lot ne sont plus là ; retraitez-le, puis décidez.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : ses photos viennent d’appareils différents (%2) ; donnez à chaque appareil son propre nom, car un seul objectif est calculé pour tous ceux qui ont le même.</translation>
+      <translation>Appareil %1 : ses photos viennent d’appareils différents (%2) ; donnez à chaque appareil son propre nom, car les photos au même nom d’appareil partagent une calibration d’objectif.</translation>
     </message>
     <message>
       <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : sa distance focale n’est pas la même sur toutes les photos (%2) ; un seul objectif est calculé pour toutes, fixez donc le zoom et photographiez de nouveau.</translation>
+      <translation>Appareil %1 : sa distance focale n’est pas la même sur toutes les photos (%2) ; toutes partagent une calibration d’objectif, fixez donc le zoom et rephotographiez.</translation>
     </message>
     <message>
       <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
@@ -5306,7 +5306,7 @@
     <message>
       <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun appareil n’explique les images de calibration.</translation>
+      <translation>Aucun modèle d’appareil ne convient aux images de calibration.</translation>
     </message>
     <message>
       <source>No photograph of this camera shows the plate's markers.</source>
@@ -5336,7 +5336,7 @@
     <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun corps sur lequel les photos s’accordent n’a été trouvé ; vérifiez les appareils, ou donnez des masques.</translation>
+      <translation>Les photos ne montrent aucun objet commun ; vérifiez les appareils, ou donnez des masques.</translation>
     </message>
     <message>
       <source>Each photograph needs one pose.</source>
@@ -5346,12 +5346,12 @@
     <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une enveloppe demande au moins 3 photos ; photographiez l’objet de plus de côtés.</translation>
+      <translation>Une enveloppe demande au moins 3 photos ; photographiez l’objet depuis plus de directions.</translation>
     </message>
     <message>
       <source>The cameras do not view a common area; check their poses.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les appareils ne regardent pas un même endroit ; vérifiez leurs poses.</translation>
+      <translation>Les appareils ne regardent pas une zone commune ; vérifiez leurs poses.</translation>
     </message>
     <message>
       <source>The network needs an 8-bit colour photograph.</source>
@@ -5361,32 +5361,32 @@
     <message>
       <source>The drawing needs a scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune échelle de dessin n’est indiquée.</translation>
+      <translation>Le dessin demande une échelle.</translation>
     </message>
     <message>
       <source>The preview was undone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un aperçu est annulé.</translation>
+      <translation>L’aperçu a été annulé.</translation>
     </message>
     <message>
       <source>An archive must be outside the project&apos;s folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une archive ne doit pas se trouver dans le projet lui-même.</translation>
+      <translation>Une archive doit se trouver hors du dossier du projet.</translation>
     </message>
     <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un projet se restaure dans un dossier nouveau ou vide ; choisissez un autre nom.</translation>
+      <translation>La restauration d’un projet demande un dossier nouveau ou vide ; choisissez un autre nom.</translation>
     </message>
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas l’archive d’un projet entier ; lisez-la plutôt comme un export.</translation>
+      <translation>Ce n’est pas l’archive d’un projet entier ; importez-la plutôt comme une exportation.</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’écriture est impossible ici (%1) ; choisissez un autre endroit, ou vérifiez ses droits d’accès.</translation>
+      <translation>Le fichier ou le dossier ne peut pas être écrit (%1) ; choisissez un autre endroit, ou vérifiez ses droits d’accès.</translation>
     </message>
     <message>
       <source>There is no such file; check its name.</source>
@@ -5401,12 +5401,12 @@
     <message>
       <source>Not a regular file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un fichier ordinaire ; indiquez un fichier.</translation>
+      <translation>Ce n’est pas un fichier ordinaire ; choisissez un fichier.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le fichier dépasse les %1 octets qui sont lus ici ; est-ce le bon ?</translation>
+      <translation>Le fichier dépasse la limite de %1 octets ; vérifiez que c’est le bon.</translation>
     </message>
     <message>
       <source>The file cannot be read (%1); copy it again.</source>
@@ -5416,7 +5416,7 @@
     <message>
       <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre calcul écrit ici ; attendez qu’il soit terminé, ou choisissez un autre dossier.</translation>
+      <translation>Un autre traitement écrit dans ce dossier ; attendez qu’il soit terminé, ou choisissez un autre dossier.</translation>
     </message>
     <message>
       <source>The JSON text is larger than 64 MiB.</source>
@@ -5431,7 +5431,7 @@
     <message>
       <source>Not valid JSON (line %1); correct that line, or copy the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas du JSON valide (ligne %1) ; corrigez-le là, ou copiez à nouveau le fichier.</translation>
+      <translation>Ce n’est pas du JSON valide (ligne %1) ; corrigez cette ligne, ou copiez à nouveau le fichier.</translation>
     </message>
     <message>
       <source>The JSON contains a number that is too large; correct it.</source>
@@ -5456,7 +5456,7 @@
     <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier n’existe pas ; indiquez le dossier d’un lot.</translation>
+      <translation>Ce dossier n’existe pas ; choisissez le dossier d’un lot.</translation>
     </message>
     <message>
       <source>The front side is missing; put its photographs into the folder '%1'.</source>
@@ -5471,17 +5471,17 @@
     <message>
       <source>Not a batch folder: it has neither the folders &apos;front&apos; and &apos;back&apos; nor &apos;top_images&apos; and &apos;bottom_images&apos;; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un lot : il n’y a ni les dossiers 'front' et 'back', ni 'top_images' et 'bottom_images' ; indiquez le dossier d’un lot.</translation>
+      <translation>Ce n’est pas le dossier d’un lot : il n’y a ni les dossiers 'front' et 'back', ni 'top_images' et 'bottom_images' ; choisissez le dossier d’un lot.</translation>
     </message>
     <message>
       <source>The file name does not match the form %1; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le nom n’a pas la forme %1 ; cette photo est laissée de côté.</translation>
+      <translation>Le nom du fichier n’a pas la forme %1 ; cette photo est laissée de côté.</translation>
     </message>
     <message>
       <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une autre photo a le même appareil et le même arrêt ; celle-ci est laissée de côté.</translation>
+      <translation>Une autre photo a le même appareil et la même position ; celle-ci est laissée de côté.</translation>
     </message>
     <message>
       <source>This photograph is left out.</source>
@@ -5491,17 +5491,17 @@
     <message>
       <source>Photographs are missing: %1 and %2 more. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il manque des photos ici : %1 et %2 autres ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
+      <translation>Il manque des photos : %1 et %2 autres. Les surfaces qu’elles seules montrent sont comblées ; reprenez-les si cela importe.</translation>
     </message>
     <message>
       <source>Photographs are missing: %1. Surfaces that only they show are filled in; retake them if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il manque des photos ici : %1 ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
+      <translation>Il manque des photos : %1. Les surfaces qu’elles seules montrent sont comblées ; reprenez-les si cela importe.</translation>
     </message>
     <message>
       <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le nom est celui d’une photo de banc, la plupart des autres non ; cette photo est laissée de côté.</translation>
+      <translation>Ce nom de fichier est celui d’une photo de banc, la plupart des autres non ; cette photo est laissée de côté.</translation>
     </message>
     <message>
       <source>Another photograph has the same name; this one is left out.</source>
@@ -5531,17 +5531,17 @@
     <message>
       <source>This folder contains neither photographs nor the folders &apos;front&apos; and &apos;back&apos; of a batch; choose a folder with photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier ne contient ni photos ni les dossiers « front » et « back » d’un lot ; indiquez un dossier avec des photos.</translation>
+      <translation>Ce dossier ne contient ni photos ni les dossiers « front » et « back » d’un lot ; choisissez un dossier avec des photos.</translation>
     </message>
     <message>
       <source>There is no such folder; choose one with the photographs of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier n’existe pas ; indiquez-en un avec les photos d’une face.</translation>
+      <translation>Ce dossier n’existe pas ; choisissez-en un avec les photos d’une face.</translation>
     </message>
     <message>
       <source>The same folder is given for the front and the back; choose the folder of each side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier a été indiqué pour la face avant et la face arrière ; indiquez le dossier de chaque face.</translation>
+      <translation>Le même dossier est indiqué pour la face avant et la face arrière ; choisissez le dossier de chaque face.</translation>
     </message>
     <message>
       <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
@@ -5561,27 +5561,27 @@
     <message>
       <source>The RAW image is damaged, or its camera is not supported; copy it again, or export it as TIFF.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image RAW est endommagée, ou d’un appareil inconnu ; copiez-la à nouveau, ou exportez-la en TIFF.</translation>
+      <translation>L’image RAW est endommagée, ou son appareil n’est pas pris en charge ; copiez-la à nouveau, ou exportez-la en TIFF.</translation>
     </message>
     <message>
       <source>The side of a marker must be between 0.5 and 1000 mm; measure a black square on the paper.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le côté d’un marqueur doit être compris entre 0,5 et 1000 mm ; mesurez un carré noir sur le papier.</translation>
+      <translation>Le côté d’une marque doit être compris entre 0,5 et 1000 mm ; mesurez un carré noir sur le papier.</translation>
     </message>
     <message>
       <source>No sheet with at least %1 markers of OpenCV&apos;s dictionaries was found in these %2 photographs; take photographs that show more of the sheet, or specify its plate.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune feuille portant au moins %1 marqueurs des dictionnaires d’OpenCV n’est lue dans ces %2 photos ; prenez des photos qui en montrent plus, ou indiquez son plate.json.</translation>
+      <translation>Aucune feuille portant au moins %1 marques des dictionnaires d’OpenCV n’a été trouvée dans ces %2 photos ; prenez des photos qui montrent plus de la feuille, ou indiquez son plate.json.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun plate.json ne décrit la feuille : %1 marqueurs de %2 de %3 mm de côté ont été trouvés dans les photos (%4 px) et servent de feuille. Mesurez la distance de deux marqueurs éloignés et comparez-la avec plate.json dans le dossier de sortie.</translation>
+      <translation>Aucun plate.json ne décrit la feuille : %1 marques de %2 de %3 mm de côté ont été trouvées dans les photos (%4 px) et servent de feuille. Mesurez la distance de deux marques éloignées et comparez-la avec plate.json dans le dossier de sortie.</translation>
     </message>
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun plate.json ne décrit la feuille : %1 marques de %2 ont été trouvés sur les photographies (%3 px) et leur taille n’est pas connue ; le résultat n’a donc pas d’échelle. Mesurez le côté du carré noir d’une marque et indiquez-le avec --marker-mm.</translation>
+      <translation>Aucun plate.json ne décrit la feuille : %1 marques de %2 ont été trouvées sur les photographies (%3 px), mais leur taille n’est pas connue ; le résultat n’a donc pas d’échelle. Mesurez le côté du carré noir d’une marque et indiquez-le avec --marker-mm.</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -5636,7 +5636,7 @@
     <message>
       <source>The JPEG file contains no image.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image JPEG ne contient pas d’image.</translation>
+      <translation>Le fichier JPEG ne contient pas d’image.</translation>
     </message>
     <message>
       <source>The PNG image is damaged; copy it again.</source>
@@ -5646,7 +5646,7 @@
     <message>
       <source>The TIFF file does not state the image&apos;s size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image TIFF n’indique pas de taille.</translation>
+      <translation>Le fichier TIFF n’indique pas la taille de l’image.</translation>
     </message>
     <message>
       <source>The file is empty; copy it from the camera again.</source>
@@ -5701,22 +5701,22 @@
     <message>
       <source>The plate&apos;s unit must be mm; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’unité du plateau doit être mm ; générez à nouveau le fichier du plateau.</translation>
+      <translation>L’unité du plateau doit être mm ; créez de nouveau le fichier du plateau.</translation>
     </message>
     <message>
       <source>The plate file lists more than 1024 markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le plateau indique plus de 1024 marques.</translation>
+      <translation>Le fichier du plateau indique plus de 1024 marques.</translation>
     </message>
     <message>
       <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il faut au plateau 'dictionary' et 'markers' avec un id et quatre coins de trois nombres chacun ; 'diameter', s’il est donné, est un nombre en mm.</translation>
+      <translation>Il faut au fichier du plateau 'dictionary' et 'markers' avec un id et quatre coins de trois nombres chacun ; 'diameter', s’il est donné, est un nombre en mm, 'sheet' la largeur et la hauteur du papier.</translation>
     </message>
     <message>
       <source>The plate file lists no markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le plateau n’indique aucune marque.</translation>
+      <translation>Le fichier du plateau n’indique aucune marque.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate has no valid corners.</source>
@@ -5736,32 +5736,32 @@
     <message>
       <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’écriture est impossible ici (%1) ; choisissez un autre dossier pour le lot, ou vérifiez ses droits d’accès.</translation>
+      <translation>L’écriture est impossible (%1) ; choisissez un autre dossier pour le lot, ou vérifiez ses droits d’accès.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fichier de ce nom existe déjà et n’est pas écrasé ; indiquez un autre lot.</translation>
+      <translation>Un fichier de ce nom existe déjà et n’est pas écrasé ; choisissez un autre nom de lot.</translation>
     </message>
     <message>
       <source>This batch started on another plate; continue with that plate or start a new batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le lot a été commencé sur un autre plateau : continuez avec celui-là ou commencez un autre lot.</translation>
+      <translation>Ce lot a été commencé sur un autre plateau ; continuez avec celui-là ou commencez un nouveau lot.</translation>
     </message>
     <message>
       <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le lot a été commencé avec %1 appareils et %2 arrêts, pas avec %3 et %4 ; indiquez un autre dossier.</translation>
+      <translation>Ce lot a été commencé avec %1 appareils et %2 positions, pas avec %3 et %4 ; choisissez un autre dossier.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La photo a été modifiée depuis la prise de vue ; remettez l’original, ou indiquez un autre dossier pour le lot.</translation>
+      <translation>La photo a été modifiée depuis la prise de vue ; remettez l’original, ou choisissez un autre dossier pour le lot.</translation>
     </message>
     <message>
       <source>This photograph does not belong to this batch; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette photo n’a pas été prise ici ; indiquez un autre dossier pour le lot.</translation>
+      <translation>Cette photo n’appartient pas à ce lot ; choisissez un autre dossier pour le lot.</translation>
     </message>
     <message>
       <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
@@ -5791,22 +5791,22 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante ne dit pas où elle est.</translation>
+      <translation>La table tournante n’indique pas sa position.</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante a refusé une commande (erreur %1) : mauvais type de table, ou câble défectueux.</translation>
+      <translation>La table tournante a refusé une commande (erreur %1) : mauvais type de table tournante, ou câble défectueux.</translation>
     </message>
     <message>
       <source>The turntable&apos;s speed must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La vitesse de la table doit être supérieure à 0.</translation>
+      <translation>La vitesse de la table tournante doit être supérieure à 0.</translation>
     </message>
     <message>
       <source>The connection to the turntable failed (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La liaison avec la table tournante est rompue (%1).</translation>
+      <translation>La liaison avec la table tournante a échoué (%1).</translation>
     </message>
     <message>
       <source>it is not open</source>
@@ -5816,7 +5816,7 @@
     <message>
       <source>it accepts no more data</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>n’accepte plus d’octets</translation>
+      <translation>n’accepte plus de données</translation>
     </message>
     <message>
       <source>it was closed at the other end</source>
@@ -5836,7 +5836,7 @@
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le port série n’est pas là ; la table tournante est-elle branchée et allumée ?</translation>
+      <translation>Le port série n’existe pas ; vérifiez que la table tournante est branchée et allumée.</translation>
     </message>
     <message>
       <source>Not a serial port.</source>
@@ -5856,7 +5856,7 @@
     <message>
       <source>A serial port does not support %1 baud; common rates are 9600 and 115200.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un port série ne peut pas fonctionner à %1 bauds ; les vitesses usuelles sont 9600 et 115200.</translation>
+      <translation>Un port série ne prend pas en charge %1 bauds ; les vitesses usuelles sont 9600 et 115200.</translation>
     </message>
     <message>
       <source>A network address looks like 192.168.0.7:23.</source>
@@ -5866,7 +5866,7 @@
     <message>
       <source>The desktop does not release the camera: it is still in use by %1; close its file window and try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le bureau ne lâche pas l’appareil : %1 le tient encore ; fermez sa fenêtre de fichiers et réessayez.</translation>
+      <translation>Le bureau ne lâche pas l’appareil : %1 l’utilise encore ; fermez sa fenêtre de fichiers et réessayez.</translation>
     </message>
     <message>
       <source>A watched folder has no setting %1; set it on the camera.</source>
@@ -5881,7 +5881,7 @@
     <message>
       <source>No new photograph arrived within %1 seconds; check that the camera&apos;s software writes into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune nouvelle photo n’est arrivée en %1 secondes ; le logiciel de l’appareil écrit-il dans ce dossier ?</translation>
+      <translation>Aucune nouvelle photo n’est arrivée en %1 secondes ; vérifiez que le logiciel de l’appareil écrit dans ce dossier.</translation>
     </message>
     <message>
       <source>The watched folder cannot be read (%1).</source>
@@ -5891,7 +5891,7 @@
     <message>
       <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Deux photos sont arrivées pour une prise de vue, %1 et %2 ; un appareil par dossier, une photo par arrêt.</translation>
+      <translation>Deux photos sont arrivées pour une prise de vue, %1 et %2 ; un dossier par appareil, une photo par position.</translation>
     </message>
     <message>
       <source>The camera with this serial number is not plugged in; found: %1.</source>
@@ -5906,7 +5906,7 @@
     <message>
       <source>The camera keeps %1 at %2 instead of %3; check its mode dial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil garde %1 à %2 au lieu de %3 ; regardez sa molette de mode.</translation>
+      <translation>L’appareil garde %1 à %2 au lieu de %3 ; vérifiez sa molette de mode.</translation>
     </message>
     <message>
       <source>The camera has no setting %1.</source>
@@ -5921,7 +5921,7 @@
     <message>
       <source>The turntable has no zero switch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table n’a pas d’interrupteur de zéro.</translation>
+      <translation>La table tournante n’a pas d’interrupteur de zéro.</translation>
     </message>
     <message>
       <source>It did not answer while homing.</source>
@@ -5936,7 +5936,7 @@
     <message>
       <source>It did not answer the shutter command.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elle n’a pas répondu au moment du déclenchement.</translation>
+      <translation>Elle n’a pas répondu à la commande de déclenchement.</translation>
     </message>
     <message>
       <source>The turntable does not answer.</source>
@@ -5956,7 +5956,7 @@
     <message>
       <source>The controller reset its count; the turntable&apos;s position is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le contrôleur recompte depuis le début ; la position de la table n’est pas connue.</translation>
+      <translation>Le contrôleur a remis son compte à zéro ; la position de la table tournante n’est pas connue.</translation>
     </message>
     <message>
       <source>The turntable does not move.</source>
@@ -5976,22 +5976,22 @@
     <message>
       <source>The turntable was stopped while moving and lost its position: align the zero mark (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table a été arrêtée en mouvement et sa position est perdue : alignez le repère de zéro (ALARM:%1).</translation>
+      <translation>La table tournante a été arrêtée en mouvement et sa position est perdue : alignez le repère de zéro (ALARM:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller reports a turn beyond its travel: switch $20 off (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le contrôleur de la table dit que la rotation dépasse sa course : désactivez $20 (ALARM:%1).</translation>
+      <translation>Le contrôleur de la table tournante signale une rotation au-delà de sa course : désactivez $20 (ALARM:%1).</translation>
     </message>
     <message>
       <source>Homing failed: check the zero switch and its cable (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La remise à zéro a échoué : regardez l’interrupteur de zéro et son câble (ALARM:%1).</translation>
+      <translation>La remise à zéro a échoué : vérifiez l’interrupteur de zéro et son câble (ALARM:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller raised an alarm (ALARM:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le contrôleur de la table a déclenché une alarme (ALARM:%1).</translation>
+      <translation>Le contrôleur de la table tournante a déclenché une alarme (ALARM:%1).</translation>
     </message>
     <message>
       <source>The controller does not understand the command: wrong controller type or bad cable (error:%1).</source>
@@ -6001,32 +6001,32 @@
     <message>
       <source>The turntable has no zero switch (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table n’a pas d’interrupteur de zéro (error:%1).</translation>
+      <translation>La table tournante n’a pas d’interrupteur de zéro (error:%1).</translation>
     </message>
     <message>
       <source>The turntable is still moving (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table bouge encore (error:%1).</translation>
+      <translation>La table tournante bouge encore (error:%1).</translation>
     </message>
     <message>
       <source>The turntable is locked: home it or unlock it (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table est verrouillée : remettez-la à zéro ou déverrouillez-la (error:%1).</translation>
+      <translation>La table tournante est verrouillée : remettez-la à zéro ou déverrouillez-la (error:%1).</translation>
     </message>
     <message>
       <source>The turntable&apos;s controller rejected a command (error:%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le contrôleur de la table a refusé une commande (error:%1).</translation>
+      <translation>Le contrôleur de la table tournante a refusé une commande (error:%1).</translation>
     </message>
     <message>
       <source>Turn the turntable counter-clockwise to %1 degrees, then take your hand away.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tournez la table dans le sens antihoraire jusqu’à %1 degrés, et retirez la main.</translation>
+      <translation>Tournez la table tournante dans le sens antihoraire jusqu’à %1 degrés, et retirez la main.</translation>
     </message>
     <message>
       <source>Not an Ostraka photograph list; choose another folder for the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas une liste de photos d’Ostraka ; indiquez un autre dossier pour le lot.</translation>
+      <translation>Ce n’est pas une liste de photos d’Ostraka ; choisissez un autre dossier pour le lot.</translation>
     </message>
     <message>
       <source>The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.</source>
@@ -6041,7 +6041,7 @@
     <message>
       <source>The rig names no devices; &apos;ostraka devices&apos; lists what is plugged in and how to enter it in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le banc n’indique aucun matériel ; 'ostraka devices' dit ce qui est branché et comment l’y inscrire.</translation>
+      <translation>Le banc n’indique aucun matériel ; 'ostraka devices' dit ce qui est branché et comment l’inscrire dans le banc.</translation>
     </message>
     <message>
       <source>The rig names no camera.</source>
@@ -6056,12 +6056,12 @@
     <message>
       <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La partie 'devices' est illisible ; comparez-la avec le chapitre du README sur le matériel.</translation>
+      <translation>La partie 'devices' est illisible ; comparez-la avec docs/devices.md.</translation>
     </message>
     <message>
       <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le nombre d’arrêts doit être compris entre 3 et 99.</translation>
+      <translation>Le nombre de positions doit être compris entre 3 et 99.</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6071,22 +6071,22 @@
     <message>
       <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a pas de prise %1 à refaire : cette face a les arrêts 1 à %2 et les appareils A à %3.</translation>
+      <translation>Il n’y a pas de prise %1 à reprendre : cette face a les positions 1 à %2 et les appareils A à %3.</translation>
     </message>
     <message>
       <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil %1 de ce lot était %2, celui d’ici est %3 ; continuez avec les appareils du début, ou indiquez un autre dossier.</translation>
+      <translation>L’appareil %1 de ce lot était %2, celui qui est branché est %3 ; continuez avec les appareils d’origine, ou choisissez un autre dossier.</translation>
     </message>
     <message>
       <source>The turntable&apos;s position is unknown: turn its zero mark to the front and set zero.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La position de la table n’est pas connue : tournez son repère de zéro vers l’avant et fixez le zéro.</translation>
+      <translation>La position de la table tournante n’est pas connue : tournez son repère de zéro vers l’avant et fixez le zéro.</translation>
     </message>
     <message>
       <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1, arrêt %2 : échec %3 fois : %4.</translation>
+      <translation>Appareil %1, position %2 : échec %3 fois : %4.</translation>
     </message>
     <message>
       <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
@@ -6096,7 +6096,7 @@
     <message>
       <source>The turntable does not answer as a %1; check its type.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante ne répond pas comme un %1 ; est-ce une autre ?</translation>
+      <translation>La table tournante ne répond pas comme un %1 ; vérifiez son type.</translation>
     </message>
     <message>
       <source>Marlin controller</source>
@@ -6111,12 +6111,12 @@
     <message>
       <source>This turntable has no zero switch: align it by eye.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette table n’a pas d’interrupteur de zéro : alignez-la à l’œil.</translation>
+      <translation>Cette table tournante n’a pas d’interrupteur de zéro : alignez-la à l’œil.</translation>
     </message>
     <message>
       <source>The turntable rejects the command: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante refuse : %1.</translation>
+      <translation>La table tournante refuse la commande : %1.</translation>
     </message>
     <message>
       <source>The turntable is at %1 degrees instead of %2.</source>
@@ -6126,37 +6126,37 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots de la table tournante : 'move' doit contenir {target} ou {by}.</translation>
+      <translation>Le dialecte de la table tournante : 'move' doit contenir {target} ou {by}.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots de la table tournante : 'accepted' doit dire comment elle répond.</translation>
+      <translation>Le dialecte de la table tournante : 'accepted' doit décrire sa réponse.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots de la table tournante : 'query' et 'position' vont ensemble.</translation>
+      <translation>Le dialecte de la table tournante : 'query' et 'position' doivent être donnés ensemble.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots de la table tournante : 'reply_s' doit être supérieur à 0.</translation>
+      <translation>Le dialecte de la table tournante : 'reply_s' doit être supérieur à 0.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots de la table tournante : '%1' n’est pas une expression rationnelle.</translation>
+      <translation>Le dialecte de la table tournante : '%1' n’est pas une expression rationnelle.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots de la table tournante : il faut à 'position' un groupe pour l’angle.</translation>
+      <translation>Le dialecte de la table tournante : il faut à 'position' un groupe pour l’angle.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'dialect' de la table tournante doit être "marlin" ou ses mots.</translation>
+      <translation>'dialect' de la table tournante doit être &quot;marlin&quot; ou un objet avec ses commandes.</translation>
     </message>
     <message>
       <source>The turntable is not plugged in.</source>
@@ -6206,7 +6206,7 @@
     <message>
       <source>The video camera cannot be opened; check that it is plugged in and that no other program uses it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La caméra vidéo ne peut pas être ouverte : est-elle branchée, et aucun autre programme ne l’utilise-t-il ?</translation>
+      <translation>La caméra vidéo ne peut pas être ouverte ; vérifiez qu’elle est branchée et qu’aucun autre programme ne l’utilise.</translation>
     </message>
     <message>
       <source>The video camera cannot be opened.</source>
@@ -6256,7 +6256,7 @@
     <message>
       <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>les marques montrent un autre angle que celui de cet arrêt</translation>
+      <translation>les marques montrent un autre angle que celui de cette position</translation>
     </message>
     <message>
       <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
@@ -6266,7 +6266,7 @@
     <message>
       <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>trop peu de marques sont visibles pour reconnaître l’arrêt : quelque chose est-il devant, est-ce flou ?</translation>
+      <translation>trop peu de marques sont visibles pour reconnaître la position : vérifiez que rien ne les couvre et que l’image est nette</translation>
     </message>
     <message>
       <source>the camera delivered an earlier photograph again</source>
@@ -6276,12 +6276,12 @@
     <message>
       <source>too few markers of the plate are visible: check that nothing covers them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>trop peu de marques du plateau sont visibles : quelque chose est-il devant ?</translation>
+      <translation>trop peu de marques du plateau sont visibles : vérifiez que rien ne les couvre</translation>
     </message>
     <message>
       <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>elle est floue : la table bougeait-elle encore, la mise au point a-t-elle changé ?</translation>
+      <translation>l’image est floue : vérifiez que la table tournante est immobile et que la mise au point n’a pas changé</translation>
     </message>
     <message>
       <source>the sherds are too dark: add light or increase the exposure time</source>
@@ -6301,7 +6301,7 @@
     <message>
       <source>the camera&apos;s settings have changed: restore them</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>les réglages de l’appareil ne sont plus les mêmes : rétablissez-les</translation>
+      <translation>les réglages de l’appareil ont changé : rétablissez-les</translation>
     </message>
     <message>
       <source>%1: restore it</source>
@@ -6356,7 +6356,7 @@
     <message>
       <source>a row of %1 refers to a missing row</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>une ligne de %1 ne renvoie à rien</translation>
+      <translation>une ligne de %1 renvoie à une ligne manquante</translation>
     </message>
     <message>
       <source>the sherd tables are inconsistent</source>
@@ -6366,7 +6366,7 @@
     <message>
       <source>the search index is incomplete</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>la recherche ne connaît pas tous les tessons</translation>
+      <translation>l’index de recherche est incomplet</translation>
     </message>
     <message>
       <source>The backup does not contain the saved data; try again.</source>
@@ -6386,12 +6386,12 @@
     <message>
       <source>The disk reports errors; check it, then reopen the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le disque ne répond pas correctement ; vérifiez-le, puis rouvrez le projet.</translation>
+      <translation>Le disque signale des erreurs ; vérifiez-le, puis rouvrez le projet.</translation>
     </message>
     <message>
       <source>The catalogue rejects this operation (%1).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le catalogue n’accepte pas cela (%1).</translation>
+      <translation>Le catalogue refuse cette opération (%1).</translation>
     </message>
     <message>
       <source>The scan is not a front of this batch.</source>
@@ -6436,12 +6436,12 @@
     <message>
       <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est une ébauche d’après des photos plus grossières ; recalculez le lot pour des mesures définitives.</translation>
+      <translation>C’est une ébauche d’après des photos réduites ; retraitez le lot pour des mesures définitives.</translation>
     </message>
     <message>
       <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce ne sont pas des résultats complets de 'ostraka process' ; relancez-le.</translation>
+      <translation>Ces résultats de 'ostraka process' sont incomplets ; relancez-le.</translation>
     </message>
     <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
@@ -6511,12 +6511,12 @@
     <message>
       <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seules les mesures se comparent avec &lt; et &gt; ; écrivez %1:value.</translation>
+      <translation>Seules les mesures acceptent &lt; et &gt; ; écrivez %1:value.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le filtre n’est pas un texte lisible.</translation>
+      <translation>Le filtre n’est pas un texte valide.</translation>
     </message>
     <message>
       <source>There is no field '%1'.</source>
@@ -6536,12 +6536,12 @@
     <message>
       <source>A measurement cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une mesure n’est jamais inférieure à 0.</translation>
+      <translation>Une mesure ne peut pas être inférieure à 0.</translation>
     </message>
     <message>
       <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce projet a été créé avec un Ostraka plus récent (catalogue version %1, ce programme connaît %2) ; installez-le, rien n’a été modifié.</translation>
+      <translation>Un Ostraka plus récent a créé ce projet (catalogue version %1, ce programme prend en charge %2). Rien n’a été modifié. Installez la version plus récente.</translation>
     </message>
     <message>
       <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
@@ -6641,12 +6641,12 @@
     <message>
       <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>On joint deux morceaux ou plus.</translation>
+      <translation>Une fusion demande deux fragments ou plus.</translation>
     </message>
     <message>
       <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>On coupe un seul morceau.</translation>
+      <translation>Une scission demande exactement un fragment.</translation>
     </message>
     <message>
       <source>The name of a person must not be empty.</source>
@@ -6721,12 +6721,12 @@
     <message>
       <source>The latitude must be between -90 and 90 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La latitude est comprise entre -90 et 90 degrés.</translation>
+      <translation>La latitude doit être comprise entre -90 et 90 degrés.</translation>
     </message>
     <message>
       <source>The longitude must be between -180 and 180 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La longitude est comprise entre -180 et 180 degrés.</translation>
+      <translation>La longitude doit être comprise entre -180 et 180 degrés.</translation>
     </message>
     <message>
       <source>The site %1 already exists.</source>
@@ -6736,7 +6736,7 @@
     <message>
       <source>A trench needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une tranchée appartient à un site.</translation>
+      <translation>Une tranchée a besoin d’un site.</translation>
     </message>
     <message>
       <source>A trench cannot contain itself.</source>
@@ -6751,12 +6751,12 @@
     <message>
       <source>A context needs a site.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un contexte appartient à un site.</translation>
+      <translation>Un contexte a besoin d’un site.</translation>
     </message>
     <message>
       <source>The trench and the context belong to different sites.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La tranchée appartient à un autre site que le contexte.</translation>
+      <translation>La tranchée et le contexte appartiennent à des sites différents.</translation>
     </message>
     <message>
       <source>The context %1 already exists in this place.</source>
@@ -6766,17 +6766,17 @@
     <message>
       <source>A bag needs a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un sac appartient à un contexte.</translation>
+      <translation>Un sac a besoin d’un contexte.</translation>
     </message>
     <message>
       <source>The weight of a bag must be greater than 0 g.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le poids d’un sac est supérieur à 0 g.</translation>
+      <translation>Le poids d’un sac doit être supérieur à 0 g.</translation>
     </message>
     <message>
       <source>A count cannot be less than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un nombre n’est jamais inférieur à 0.</translation>
+      <translation>Un nombre ne peut pas être inférieur à 0.</translation>
     </message>
     <message>
       <source>The bag %1 already exists in this context.</source>
@@ -6786,7 +6786,7 @@
     <message>
       <source>The folder is on a network share (%1), which can damage catalogues; use a folder on this computer&apos;s own disk and copy backups to the share.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier est sur un partage réseau (%1), où les catalogues s’abîment ; prenez un dossier sur le disque de cet ordinateur et copiez les sauvegardes sur le partage.</translation>
+      <translation>Le dossier est sur un partage réseau (%1), ce qui peut abîmer les catalogues ; prenez un dossier sur le disque de cet ordinateur et copiez les sauvegardes sur le partage.</translation>
     </message>
     <message>
       <source>Not an Ostraka project: this folder has no catalogue.sqlite.</source>
@@ -6816,7 +6816,7 @@
     <message>
       <source>The field %1 is read-only: the program sets it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le champ %1 vient du programme.</translation>
+      <translation>Le champ %1 est en lecture seule : le programme le remplit.</translation>
     </message>
     <message>
       <source>A void sherd keeps its number.</source>
@@ -6826,7 +6826,7 @@
     <message>
       <source>A number cannot contain a line break, a tab or &apos;%&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un numéro ne contient ni saut de ligne, ni tabulation, ni '%'.</translation>
+      <translation>Un numéro ne peut contenir ni saut de ligne, ni tabulation, ni '%'.</translation>
     </message>
     <message>
       <source>A number has at most 120 characters.</source>
@@ -6861,27 +6861,27 @@
     <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce qui suit le signe ± est supérieur à 0, ou 0 si aucune incertitude n’est connue.</translation>
+      <translation>Entrez après ± une valeur supérieure à 0, ou 0 si l’incertitude n’est pas connue.</translation>
     </message>
     <message>
       <source>Enter a value greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une mesure est supérieure à 0.</translation>
+      <translation>Entrez une valeur supérieure à 0.</translation>
     </message>
     <message>
       <source>No sherd is larger than 1000 mm; check that the value is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun tesson ne dépasse 1000 mm ; est-ce en millimètres ?</translation>
+      <translation>Aucun tesson ne dépasse 1000 mm ; vérifiez que la valeur est en millimètres.</translation>
     </message>
     <message>
       <source>No sherd is heavier than 20 kg; check that the value is in grams.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun tesson ne pèse plus de 20 kg ; est-ce en grammes ?</translation>
+      <translation>Aucun tesson ne pèse plus de 20 kg ; vérifiez que la valeur est en grammes.</translation>
     </message>
     <message>
       <source>A share cannot exceed 100 %.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une part est de 100 % au plus.</translation>
+      <translation>Une part ne peut pas dépasser 100 %.</translation>
     </message>
     <message>
       <source>There is no sherd %1 to join.</source>
@@ -6906,7 +6906,7 @@
     <message>
       <source>A sherd needs its context before it gets a number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tesson reçoit un numéro quand son contexte est connu.</translation>
+      <translation>Un tesson a besoin de son contexte avant de recevoir un numéro.</translation>
     </message>
     <message>
       <source>The table cannot be sorted by &apos;%1&apos;.</source>
@@ -6931,7 +6931,7 @@
     <message>
       <source>A void sherd needs a reason; enter it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tesson est annulé pour une raison ; dites laquelle.</translation>
+      <translation>Un tesson annulé demande une raison ; entrez-la.</translation>
     </message>
     <message>
       <source>The number %1 appears on two sherds of this plate.</source>
@@ -6961,17 +6961,17 @@
     <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un jour s’écrit 2026-07-14 (année-mois-jour).</translation>
+      <translation>Écrivez le jour comme 2026-07-14 (année-mois-jour).</translation>
     </message>
     <message>
       <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une datation s’écrit en EDTF, comme -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres.</translation>
+      <translation>Écrivez la datation en EDTF, par exemple -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une couleur Munsell s’écrit 10YR 3/1 ou N 4/.</translation>
+      <translation>Écrivez la couleur Munsell comme 10YR 3/1 ou N 4/.</translation>
     </message>
     <message>
       <source>&apos;%1&apos; is not a number; write 12.5 or 12,5, without a unit.</source>
@@ -6996,7 +6996,7 @@
     <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un fichier PLY ; indiquez-en un, ou exportez à nouveau la numérisation.</translation>
+      <translation>Ce n’est pas un fichier PLY ; choisissez-en un, ou exportez à nouveau la numérisation.</translation>
     </message>
     <message>
       <source>The PLY header states no format; export the file again.</source>
@@ -7096,7 +7096,7 @@
     <message>
       <source>No part of the edge can be a rim; draw this sherd without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune partie du contour ne peut être un morceau de bord ; dessinez ce tesson comme un tesson sans bord.</translation>
+      <translation>Aucune partie du contour ne peut être un bord ; dessinez ce tesson sans bord.</translation>
     </message>
     <message>
       <source>The edge taken as the lip barely resembles one (%1 %), so no diameter is given; check the sherd&apos;s orientation.</source>
@@ -7111,12 +7111,12 @@
     <message>
       <source>Drawn as a rim sherd, which is likely (%1 %); check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dessiné comme un bord, ce qui est probable (%1 %) ; vérifiez.</translation>
+      <translation>Dessiné comme un tesson de bord, ce qui est probable (%1 %) ; vérifiez.</translation>
     </message>
     <message>
       <source>This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est peut-être un bord (%1 %) ; si oui, indiquez-le et dessinez-le à nouveau.</translation>
+      <translation>C’est peut-être un tesson de bord (%1 %) ; si oui, indiquez-le et dessinez-le à nouveau.</translation>
     </message>
     <message>
       <source>The drawing's scale must lie between 1:20 and 5:1.</source>
@@ -7171,7 +7171,7 @@
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Quelqu’un a créé entre-temps un dossier de ce nom ; choisissez un autre nom.</translation>
+      <translation>Un dossier de ce nom a été créé entre-temps ; choisissez un autre nom.</translation>
     </message>
     <message>
       <source>Not an Ostraka export: this folder has no bagit.txt.</source>
@@ -7216,12 +7216,12 @@
     <message>
       <source>The column closed accepts yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La colonne closed prend yes ou no.</translation>
+      <translation>La colonne closed accepte yes ou no.</translation>
     </message>
     <message>
       <source>The column count_written accepts a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La colonne count_written prend un nombre entier.</translation>
+      <translation>La colonne count_written accepte un nombre entier.</translation>
     </message>
     <message>
       <source>The row has %1 values, but the header has %2.</source>
@@ -7236,7 +7236,7 @@
     <message>
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le fichier n’est pas du texte : il contient des données binaires, ce qu’aucun tableau n’a.</translation>
+      <translation>Ce n’est pas un fichier texte : il contient des données binaires, ce qu’aucun tableau n’a.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
@@ -7251,12 +7251,12 @@
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La ligne %1 ouvre un guillemet qui n’est jamais fermé.</translation>
+      <translation>La ligne %1 a un guillemet non fermé.</translation>
     </message>
     <message>
       <source>Line %1 has characters after a closing quotation mark.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La ligne %1 a des lettres après un guillemet fermant.</translation>
+      <translation>La ligne %1 a des caractères après un guillemet fermant.</translation>
     </message>
     <message>
       <source>Line %1 has a value longer than 1 MB.</source>
@@ -7271,7 +7271,7 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce tesson n’a pas encore de modèle et ne peut donc pas être dessiné ; calculez d’abord son lot.</translation>
+      <translation>Ce tesson n’a pas encore de modèle et ne peut donc pas être dessiné ; traitez d’abord son lot.</translation>
     </message>
     <message>
       <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
@@ -7281,27 +7281,27 @@
     <message>
       <source>The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il est dit que c’est un bord, mais aucune partie de son contour ne peut en être un ; dessiné sans.</translation>
+      <translation>Le tesson est enregistré comme bord, mais aucune partie de son contour ne peut en être un ; il est dessiné sans bord.</translation>
     </message>
     <message>
       <source>%1 is missing and was left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 n’est pas là et a été laissé de côté.</translation>
+      <translation>%1 manque et a été laissé de côté.</translation>
     </message>
     <message>
       <source>%1 differs from the recorded photograph; check it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 n’est pas la photo qui a été inscrite ; vérifiez-la.</translation>
+      <translation>%1 diffère de la photo enregistrée ; vérifiez-la.</translation>
     </message>
     <message>
       <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce modèle ou cette image du tesson %1 n'est pas celui qui a été inscrit ; recalculez son lot %2.</translation>
+      <translation>Ce modèle ou cette image du tesson %1 diffère de celui qui a été enregistré ; retraitez son lot %2.</translation>
     </message>
     <message>
       <source>%1 is exported in full detail: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est exporté en entier : %2</translation>
+      <translation>%1 est exporté en détail complet : %2</translation>
     </message>
     <message>
       <source>Not drawn: %1</source>
@@ -7316,7 +7316,7 @@
     <message>
       <source>No sherds to export; select some first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a aucun tesson à exporter ; choisissez-en d’abord.</translation>
+      <translation>Aucun tesson à exporter ; sélectionnez-en d’abord.</translation>
     </message>
     <message>
       <source>The row has neither a number nor a uuid.</source>
@@ -7336,7 +7336,7 @@
     <message>
       <source>The number and the uuid belong to different sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le numéro et l’uuid sont ceux de deux tessons différents.</translation>
+      <translation>Le numéro et l’uuid appartiennent à des tessons différents.</translation>
     </message>
     <message>
       <source>A new sherd needs its context.</source>
@@ -7356,7 +7356,7 @@
     <message>
       <source>These places and batches are not in Ostraka&apos;s format.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ces lieux et ces lots ne sont pas écrits comme Ostraka les écrit.</translation>
+      <translation>Ces lieux et ces lots ne sont pas au format d’Ostraka.</translation>
     </message>
     <message>
       <source>Not a PLY file.</source>
@@ -7376,12 +7376,12 @@
     <message>
       <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le projet a ce tesson avec d’autres valeurs ; elles restent, et ce qui diffère est gardé à côté dans des champs finissant par _in_%1.</translation>
+      <translation>Le projet a ce tesson avec d’autres valeurs et les garde ; celles qui diffèrent sont ajoutées dans des champs finissant par _in_%1.</translation>
     </message>
     <message>
       <source>This file is not part of the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce fichier n’est pas parmi les fichiers de l’exportation.</translation>
+      <translation>Ce fichier ne fait pas partie de l’exportation.</translation>
     </message>
     <message>
       <source>The project has another file with this name; rename the export and import it again.</source>
@@ -7406,7 +7406,7 @@
     <message>
       <source>This is too large for one ZIP file; select fewer sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C’est trop grand pour un seul fichier ZIP ; choisissez moins de tessons.</translation>
+      <translation>C’est trop grand pour un seul fichier ZIP ; sélectionnez moins de tessons.</translation>
     </message>
     <message>
       <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
@@ -7426,12 +7426,12 @@
     <message>
       <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les masques d’après le plateau demandent au moins 3 photos d’une face ; photographiez davantage d’arrêts.</translation>
+      <translation>Les masques d’après le plateau demandent au moins 3 photos d’une face ; photographiez davantage de positions.</translation>
     </message>
     <message>
       <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La photo n’a pas la taille de son appareil ; utilisez le fichier original.</translation>
+      <translation>La photo n’a pas la taille des images de son appareil ; utilisez le fichier original.</translation>
     </message>
     <message>
       <source>No sherd was found on the plate; check that the photographs show sherds that stand out from the plate, or provide masks.</source>
@@ -7441,17 +7441,17 @@
     <message>
       <source>masks: the empty-plate photograph of camera %1 differs in size from the camera&apos;s other photographs; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>masques : le plateau vide de l’appareil %1 n’a pas la taille des photos de l’appareil ; masqué sans lui</translation>
+      <translation>masques : la photo du plateau vide de l’appareil %1 n’a pas la taille des autres photos de l’appareil ; les masques sont faits sans elle</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>masques : le plateau vide de l’appareil %1 ne montre le plateau à aucun des arrêts ; reprenez-le au premier ; masqué sans lui</translation>
+      <translation>masques : la photo du plateau vide de l’appareil %1 ne montre le plateau à aucune des positions ; reprenez-la à la première ; les masques sont faits sans elle</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>masques : le plateau vide de l’appareil %1 montre des marques que quelque chose recouvre dans %2 ; ôtez ce qui est posé dessus ; masqué sans lui</translation>
+      <translation>masques : la photo du plateau vide de l’appareil %1 montre des marques couvertes dans %2 ; découvrez-les ; les masques sont faits sans elle</translation>
     </message>
     <message>
       <source>masks: a shadow that the other photographs do not show falls on the plate in %1; keep people and hands out of the light, and retake these if their masks look wrong</source>
@@ -7471,7 +7471,7 @@
     <message>
       <source>The front scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La numérisation de la face avant n’a pas de normales ; un modèle doit savoir où est le dehors.</translation>
+      <translation>La numérisation de la face avant n’a pas de normales ; un modèle en a besoin pour distinguer le dehors du dedans.</translation>
     </message>
     <message>
       <source>The back scan contains no points.</source>
@@ -7481,7 +7481,7 @@
     <message>
       <source>The back scan has no normals; a model needs them to tell outside from inside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La numérisation de la face arrière n’a pas de normales ; un modèle doit savoir où est le dehors.</translation>
+      <translation>La numérisation de la face arrière n’a pas de normales ; un modèle en a besoin pour distinguer le dehors du dedans.</translation>
     </message>
     <message>
       <source>The scans do not enclose a volume; their normals may point inward.</source>
@@ -7491,12 +7491,12 @@
     <message>
       <source>Only a closed mesh can be simplified.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seul un maillage fermé peut être allégé.</translation>
+      <translation>Seul un maillage fermé peut être simplifié.</translation>
     </message>
     <message>
       <source>The deviation of a simplified mesh must be above 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’écart d’un maillage allégé doit être supérieur à 0 mm.</translation>
+      <translation>L’écart d’un maillage simplifié doit être supérieur à 0 mm.</translation>
     </message>
     <message>
       <source>The scan is too large for a model at this spacing; use a larger spacing.</source>
@@ -7526,7 +7526,7 @@
     <message>
       <source>Vertex %1 joins two separate fans of faces.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le sommet %1 tient ensemble deux éventails de faces.</translation>
+      <translation>Le sommet %1 relie deux éventails de faces séparés.</translation>
     </message>
     <message>
       <source>The mesh has no faces.</source>
@@ -7561,7 +7561,7 @@
     <message>
       <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les données d’une paire n’ont pas de numérisations ou de valeur valables.</translation>
+      <translation>Les indices d’une paire n’ont pas de numérisations ou de valeur valables.</translation>
     </message>
     <message>
       <source>pairing: %1 stays unpaired: %2</source>
@@ -7581,12 +7581,12 @@
     <message>
       <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un tableau de candidats ; recalculez le lot, seules ses paires seront refaites.</translation>
+      <translation>Ce n’est pas un tableau de candidats ; retraitez le lot, seules ses paires seront refaites.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 porte sur %3, dont la face a été photographiée de nouveau depuis ; décidez encore une fois.</translation>
+      <translation>La décision %1 de %2 porte sur %3, dont la face a été rephotographiée depuis ; décidez encore une fois.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
@@ -7596,12 +7596,12 @@
     <message>
       <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 ne vaut pas : la décision %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
+      <translation>La décision %1 de %2 est sans effet : la décision %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une décision est d’un genre que ce programme ne connaît pas ; un plus récent l’a écrite.</translation>
+      <translation>Une décision est d’un genre inconnu ; une version plus récente d’Ostraka l’a écrite.</translation>
     </message>
     <message>
       <source>A pair needs one front and one back.</source>
@@ -7611,27 +7611,27 @@
     <message>
       <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rien n’a été nommé à mettre de côté ou à photographier de nouveau.</translation>
+      <translation>Rien n’est sélectionné à mettre de côté ou à rephotographier.</translation>
     </message>
     <message>
       <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les morceaux à joindre doivent être de la même face.</translation>
+      <translation>Les fragments à fusionner doivent être de la même face.</translation>
     </message>
     <message>
       <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une coupe demande un morceau et une ligne d’au moins un millimètre.</translation>
+      <translation>Une scission demande un fragment et une ligne d’au moins 1 mm.</translation>
     </message>
     <message>
       <source>Nothing is selected to withdraw.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rien n’a été nommé à retirer.</translation>
+      <translation>Rien n’est sélectionné à retirer.</translation>
     </message>
     <message>
       <source>A newer version of Ostraka wrote these decisions; use that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ces décisions ont été écrites par un programme plus récent ; utilisez celui-là.</translation>
+      <translation>Une version plus récente d’Ostraka a écrit ces décisions ; utilisez cette version.</translation>
     </message>
     <message>
       <source>Decision %1 cannot be used.</source>
@@ -7646,7 +7646,7 @@
     <message>
       <source>Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce ne sont pas des décisions de ce programme ; déplacez le fichier, ou remettez-en une copie.</translation>
+      <translation>Ce n’est pas un fichier de décisions d’Ostraka ; déplacez-le, ou remettez-en une copie.</translation>
     </message>
     <message>
       <source>This decision is no longer in effect.</source>
@@ -7666,7 +7666,7 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 est peut-être deux tessons qui se touchent, %2 et %3 de l’autre face : coupez-le dans la vérification, ou écartez-les et photographiez de nouveau cette face.</translation>
+      <translation>%1 est peut-être deux tessons qui se touchent, %2 et %3 de l’autre face : scindez-le dans l’examen, ou écartez-les et rephotographiez cette face.</translation>
     </message>
     <message>
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
@@ -7676,22 +7676,22 @@
     <message>
       <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce lot n’a pas encore de masques ; laissez-le d’abord calculer.</translation>
+      <translation>Ce lot n’a pas encore de masques ; traitez-le d’abord.</translation>
     </message>
     <message>
       <source>This file does not state how well the rig fits.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce fichier ne dit pas si le banc convenait.</translation>
+      <translation>Ce fichier ne dit pas à quel point le banc convient.</translation>
     </message>
     <message>
       <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cette calibration est d’autres appareils que ceux qui ont photographié le lot ; calibrez le banc d’après ses propres photos.</translation>
+      <translation>Cette calibration est celle d’autres appareils que ceux du lot ; calibrez le banc d’après ses propres photos.</translation>
     </message>
     <message>
       <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sans plate.json les masques ne peuvent pas être trouvés ; mettez des masques à côté des photos, ou nommez un réseau (--masks MODEL.onnx).</translation>
+      <translation>Sans plate.json les masques ne peuvent pas être faits ; mettez des masques à côté des photos, ou choisissez un réseau (--masks MODEL.onnx).</translation>
     </message>
     <message>
       <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
@@ -7701,7 +7701,7 @@
     <message>
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier de sortie contient quelque chose qui n’est pas de ce programme ; choisissez-en un autre ou un vide.</translation>
+      <translation>Le dossier de sortie contient des fichiers qu’Ostraka n’a pas écrits ; choisissez-en un autre ou un vide.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -7711,22 +7711,22 @@
     <message>
       <source>The output folder contains other files; choose a new or empty folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier de sortie contient autre chose ; nommez un dossier nouveau ou vide.</translation>
+      <translation>Le dossier de sortie contient d’autres fichiers ; choisissez un dossier nouveau ou vide.</translation>
     </message>
     <message>
       <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une paire nomme une numérisation qui n’existe pas ; supprimez ce fichier et recommencez.</translation>
+      <translation>Une paire nomme une numérisation qui n’existe pas ; supprimez ce fichier et retraitez le lot.</translation>
     </message>
     <message>
       <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un tableau de paires ; supprimez-le et recommencez.</translation>
+      <translation>Ce n’est pas un tableau de paires ; supprimez-le et retraitez le lot.</translation>
     </message>
     <message>
       <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 et %2 ont été appariés à la main, mais rien ne dit comment ils sont placés l’un par rapport à l’autre ; tournez la face arrière à la main dans la vérification : %3</translation>
+      <translation>%1 et %2 ont été appariés à la main, mais leur pose relative n’est pas connue ; alignez la face arrière à la main dans l’examen : %3</translation>
     </message>
     <message>
       <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
@@ -7741,32 +7741,32 @@
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face avant (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
+      <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face avant (%3) ; les poses des appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Toutes les photographies de la face arrière sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses scans sont donc grossiers. Vérifiez la mise au point et la vitesse d’obturation et photographiez ce côté à nouveau.</translation>
+      <translation>Toutes les photographies de la face arrière sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses numérisations sont donc grossières. Vérifiez la mise au point et la vitesse d’obturation et rephotographiez cette face.</translation>
     </message>
     <message>
       <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Toutes les photographies de la face avant sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses scans sont donc grossiers. Vérifiez la mise au point et la vitesse d’obturation et photographiez ce côté à nouveau.</translation>
+      <translation>Toutes les photographies de la face avant sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses numérisations sont donc grossières. Vérifiez la mise au point et la vitesse d’obturation et rephotographiez cette face.</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
+      <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les poses des appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 joint des morceaux qui n’existent plus ; décidez encore une fois.</translation>
+      <translation>La décision %1 de %2 fusionne des fragments qui n’existent plus ; décidez encore une fois.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 coupe un morceau qui n’existe pas, ou à côté de lui ; décidez encore une fois.</translation>
+      <translation>La décision %1 de %2 scinde un fragment qui n’existe pas, ou le manque ; décidez encore une fois.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
@@ -7776,7 +7776,7 @@
     <message>
       <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les photos ne montrent pas de plateau à marques, le programme %1 doit donc trouver les appareils, et il n’est pas installé.</translation>
+      <translation>Les photos ne montrent pas de plateau à marques, le programme %1 doit donc trouver les appareils, et il n’est pas installé ; installez-le.</translation>
     </message>
     <message>
       <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
@@ -7786,37 +7786,37 @@
     <message>
       <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fermez d’autres programmes, ou calculez une ébauche.</translation>
+      <translation>Fermez d’autres programmes, ou traitez une ébauche.</translation>
     </message>
     <message>
       <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : cette photographie n’a pas été prise de l’endroit où se trouvait l’appareil pendant que le plateau tournait ; elle est laissée de côté.</translation>
+      <translation>%1 : l’appareil n’était pas là où il se trouvait pendant que le plateau tournait ; la photo est laissée de côté.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
+      <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de la position %3 (pos%4) il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de %3 il est ailleurs ; photographiez de nouveau cette face.</translation>
+      <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de %3 il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
+      <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de la position %3 (pos%4) il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de %3 il est ailleurs ; photographiez de nouveau cette face.</translation>
+      <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de %3 il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
       <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier de sortie est dans le dossier du lot, où rien n’est jamais écrit ; choisissez-en un à côté.</translation>
+      <translation>Le dossier de sortie est dans le dossier du lot, où Ostraka n’écrit jamais ; choisissez-en un à côté.</translation>
     </message>
     <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
@@ -7831,12 +7831,12 @@
     <message>
       <source>The fronts are not in mm: lengths in the result, although labelled mm, are in the fronts&apos; own unit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les faces avant ne sont pas en mm : les longueurs du résultat, dites en mm, sont dans l’unité propre des faces avant.</translation>
+      <translation>Les faces avant ne sont pas en mm : les longueurs du résultat, bien que dites en mm, sont dans l’unité propre des faces avant.</translation>
     </message>
     <message>
       <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les paires de ce lot ne sont pas encore calculées, ou l’ont été par un programme plus ancien ; recalculez le lot : ce qui est complet est conservé.</translation>
+      <translation>Les paires de ce lot ne sont pas encore traitées, ou viennent d’une version plus ancienne d’Ostraka ; retraitez le lot : ce qui est complet est conservé.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -7856,7 +7856,7 @@
     <message>
       <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the front side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La longueur de %1 mm dans scale.json n’a pas pu être comparée : marquez chacune de ses extrémités sur au moins deux photos de la face avant, prises de directions différentes.</translation>
+      <translation>La longueur de %1 mm dans scale.json n’a pas pu être vérifiée : marquez chacune de ses extrémités sur au moins deux photos de la face avant, prises de directions différentes.</translation>
     </message>
     <message>
       <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
@@ -7866,12 +7866,12 @@
     <message>
       <source>The length of %1 mm in scale.json could not be checked: mark each of its ends on at least two photographs of the back side, taken from different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La longueur de %1 mm dans scale.json n’a pas pu être comparée : marquez chacune de ses extrémités sur au moins deux photos de la face arrière, prises de directions différentes.</translation>
+      <translation>La longueur de %1 mm dans scale.json n’a pas pu être vérifiée : marquez chacune de ses extrémités sur au moins deux photos de la face arrière, prises de directions différentes.</translation>
     </message>
     <message>
       <source>The folder cannot be read; choose a folder of PLY files.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier ne peut pas être lu ; nommez un dossier de fichiers PLY.</translation>
+      <translation>Le dossier ne peut pas être lu ; choisissez un dossier de fichiers PLY.</translation>
     </message>
     <message>
       <source>This folder contains no PLY files; each sherd&apos;s scan must be one PLY file.</source>
@@ -7881,22 +7881,22 @@
     <message>
       <source>%1: 1 point without finite coordinates was left out; check the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : 1 point sans coordonnées finies a été laissé de côté ; vérifiez l’export.</translation>
+      <translation>%1 : 1 point sans coordonnées finies a été laissé de côté ; vérifiez l’exportation.</translation>
     </message>
     <message>
       <source>%1: %2 points without finite coordinates were left out; check the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : %2 points sans coordonnées finies ont été laissés de côté ; vérifiez l’export.</translation>
+      <translation>%1 : %2 points sans coordonnées finies ont été laissés de côté ; vérifiez l’exportation.</translation>
     </message>
     <message>
       <source>%1: 1 point far from all others, or at 0, 0, 0, was left out; check the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : 1 point loin de tous les autres, ou en 0, 0, 0, a été laissé de côté ; vérifiez l’export.</translation>
+      <translation>%1 : 1 point loin de tous les autres, ou en 0, 0, 0, a été laissé de côté ; vérifiez l’exportation.</translation>
     </message>
     <message>
       <source>%1: %2 points far from all others, or at 0, 0, 0, were left out; check the export.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : %2 points loin de tous les autres, ou en 0, 0, 0, ont été laissés de côté ; vérifiez l’export.</translation>
+      <translation>%1 : %2 points loin de tous les autres, ou en 0, 0, 0, ont été laissés de côté ; vérifiez l’exportation.</translation>
     </message>
     <message>
       <source>The scan has fewer than 100 points; rescan this side.</source>
@@ -7911,7 +7911,7 @@
     <message>
       <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La numérisation est à %1 fois sa longueur de 0, 0, 0, ses coordonnées sont donc arrondies ; ramenez-la à ce point et exportez-la de nouveau.</translation>
+      <translation>La numérisation est à %1 fois sa longueur de l’origine, ses coordonnées sont donc arrondies ; ramenez-la à l’origine et exportez-la de nouveau.</translation>
     </message>
     <message>
       <source>None of the scans can be used: %1</source>
@@ -7966,12 +7966,12 @@
     <message>
       <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tesson %1 : %2 % de sa surface n’ont été vus par aucun appareil et sont comblés, en orange sur l’image ; le photographier de nouveau si cela compte.</translation>
+      <translation>Tesson %1 : %2 % de sa surface n’ont été vus par aucun appareil et sont comblés, en orange sur l’image ; rephotographiez-le si cela compte.</translation>
     </message>
     <message>
       <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tesson %1 : son modèle est percé de part en part (%2 mm²). Si le tesson ne l’est pas, les photographies ne montrent pas cet endroit ; photographiez-le de nouveau.</translation>
+      <translation>Tesson %1 : son modèle est percé de part en part (%2 mm²). Si le tesson ne l’est pas, les photographies ne montrent pas cet endroit ; rephotographiez-le.</translation>
     </message>
     <message>
       <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
@@ -8006,37 +8006,37 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : aucun tesson n’est marqué sur cette photo ; elle est laissée de côté.</translation>
+      <translation>%1 : le masque ne marque aucun tesson sur cette photo ; elle est laissée de côté.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>S’il y a des tessons dessus, reprenez-la ou corrigez son masque.</translation>
+      <translation>S’il y a des tessons dessus, reprenez-la ou modifiez son masque.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des tessons sont marqués sur %1 photos de la face avant ; il en faut 3.</translation>
+      <translation>Les masques marquent des tessons sur %1 photos de la face avant ; il en faut 3.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des tessons sont marqués sur %1 photos de la face arrière ; il en faut 3.</translation>
+      <translation>Les masques marquent des tessons sur %1 photos de la face arrière ; il en faut 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Regardez les masques, et s’il y avait des tessons sur le plateau.</translation>
+      <translation>Vérifiez les masques, et s’il y avait des tessons sur le plateau.</translation>
     </message>
     <message>
       <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Moins de 10 points des cassures se rencontrent ; partez d’une meilleure position.</translation>
+      <translation>Moins de 10 points des cassures se correspondent ; partez d’une meilleure pose.</translation>
     </message>
     <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune position de départ n’a été donnée pour assembler les faces.</translation>
+      <translation>Aucune pose de départ n’a été donnée pour assembler les faces.</translation>
     </message>
     <message>
       <source>The scan has no normals; export it with normals.</source>
@@ -8046,12 +8046,12 @@
     <message>
       <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec son bord.</translation>
+      <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec sa cassure.</translation>
     </message>
     <message>
       <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : la mire ne se voit pas ; cette image est laissée de côté.</translation>
+      <translation>%1 : la mire n’a pas été détectée ; cette image est laissée de côté.</translation>
     </message>
     <message>
       <source>The dictionary %1 has too few markers for the board.</source>
@@ -8066,7 +8066,7 @@
     <message>
       <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
+      <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque position dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
     </message>
     <message>
       <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
@@ -8086,7 +8086,7 @@
     <message>
       <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’ajustement du banc n’a pas abouti ; vérifiez que plate.json et board.json décrivent ce qui a été photographié.</translation>
+      <translation>L’ajustement en bloc du banc n’a pas convergé ; vérifiez que plate.json et board.json décrivent ce qui a été photographié.</translation>
     </message>
     <message>
       <source>The file does not describe how the sheets bend; delete it to measure them again.</source>
@@ -8101,12 +8101,12 @@
     <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les marques de la feuille se lisent sur %1 des %2 photographies du côté %3 ; il en faut au moins 3. Vérifiez que plate.json décrit cette feuille, que les photographies ne sont pas inversées et que la plupart des marques sont dans l’image.</translation>
+      <translation>Les marques de la feuille se lisent sur %1 des %2 photographies de la face %3 ; il en faut au moins 3. Vérifiez que plate.json décrit cette feuille, que les photographies ne sont pas inversées et que la plupart des marques sont dans l’image.</translation>
     </message>
     <message>
       <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; elle est laissée de côté.</translation>
+      <translation>%1 : %2 marques de la feuille s’y lisent, trop peu pour une pose ; la photo est laissée de côté.</translation>
     </message>
     <message>
       <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
@@ -8121,12 +8121,12 @@
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un seul côté a été photographié : ses %1 scans sont des surfaces ouvertes sans revers ; ils sont dans 'unpaired'.</translation>
+      <translation>Une seule face a été photographiée : ses %1 numérisations sont des surfaces ouvertes sans face arrière ; elles sont dans 'unpaired'.</translation>
     </message>
     <message>
       <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a pas de plate.json, les marques du plateau ne peuvent donc pas servir ; copiez ici celui que 'ostraka plate' a écrit avec le plateau.</translation>
+      <translation>plate.json manque, les marques du plateau ne peuvent donc pas servir ; copiez dans ce dossier le fichier que 'ostraka plate' a écrit avec le plateau.</translation>
     </message>
     <message>
       <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
@@ -8161,12 +8161,12 @@
     <message>
       <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le banc connu ne convient plus : l’appareil %1 manque les marques de %2 px ; les places des appareils sont estimées à nouveau pour ce lot, calibrez de nouveau le banc.</translation>
+      <translation>Le banc connu ne convient plus : l’appareil %1 manque les marques de %2 px. Les poses des appareils sont estimées à nouveau pour ce lot ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
       <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : aucune de ses %2 marques n’est là où cet appareil les voit à cet arrêt.</translation>
+      <translation>%1 : aucune de ses %2 marques n’est là où cet appareil les voit à cette position.</translation>
     </message>
     <message>
       <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
@@ -8176,7 +8176,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : aucune marque ne s’y voit ; montre-t-elle cet arrêt ? Sinon, reprenez-la.</translation>
+      <translation>%1 : aucune marque n’est visible ; vérifiez que la photo montre cette position. Sinon, reprenez-la.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
@@ -8191,12 +8191,12 @@
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil %1 voit moins de six marques du plateau à l’arrêt %2 ; vérifiez-y la lumière et la mise au point, et que rien n’est posé sur les marques.</translation>
+      <translation>L’appareil %1 voit moins de six marques du plateau à la position %2 ; vérifiez-y la lumière et la mise au point, et que rien n’est posé sur les marques.</translation>
     </message>
     <message>
       <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seuls %1 arrêts ont été photographiés ; prenez-en au moins quatre sur tout le tour, pour que l’axe soit trouvé.</translation>
+      <translation>Seules %1 positions ont été photographiées ; prenez-en au moins quatre sur tout le tour, pour que l’axe soit trouvé.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8211,7 +8211,7 @@
     <message>
       <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; a-t-il été touché entre les photos, ou plate.json est-il d’un autre plateau ?</translation>
+      <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; vérifiez qu’il n’a pas bougé entre les photos et que plate.json est bien celui de ce plateau.</translation>
     </message>
     <message>
       <source>Not usable: the scale is wrong.</source>
@@ -8221,7 +8221,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bon : objectifs, places et échelle sont déterminés.</translation>
+      <translation>Bon : objectifs, poses des appareils et échelle sont déterminés.</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
@@ -8231,12 +8231,12 @@
     <message>
       <source>Usable, but a focal length is uncertain by more than a thousandth.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Utilisable, mais une distance focale n’est pas connue à mieux qu’un millième.</translation>
+      <translation>Utilisable, mais une distance focale est incertaine de plus d’un millième.</translation>
     </message>
     <message>
       <source>Usable; the steps below improve it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Utilisable ; ce qui est nommé ci-dessous l’améliorerait.</translation>
+      <translation>Utilisable ; les étapes ci-dessous l’améliorent.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %).</source>
@@ -8251,12 +8251,12 @@
     <message>
       <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : distance focale %2 px (%3 %), les marques du plateau à %4 px en médiane.</translation>
+      <translation>Appareil %1 : distance focale %2 px (%3 %), erreur médiane aux marques du plateau %4 px.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés, les marques du plateau à %9 px en médiane.</translation>
+      <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés, erreur médiane aux marques du plateau %9 px.</translation>
     </message>
     <message>
       <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
@@ -8361,7 +8361,7 @@
     <message>
       <source>The lens is known but the camera poses are not, so no rig can be saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’objectif est connu, les places des appareils ne le sont pas : aucun banc ne peut être enregistré.</translation>
+      <translation>L’objectif est connu, les poses des appareils ne le sont pas : aucun banc ne peut être enregistré.</translation>
     </message>
     <message>
       <source>Not usable: the focal length is not determined.</source>
@@ -8371,27 +8371,27 @@
     <message>
       <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Photographiez aussi le plateau avec ses marques : mettez une image par appareil et par arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) à côté de plate.json, les images de la mire dans 'calib'.</translation>
+      <translation>Photographiez aussi le plateau avec ses marques : mettez une image par appareil et par position dans 'front' (cam0_pos00.jpg et ainsi de suite) à côté de plate.json, les images de la mire dans 'calib'.</translation>
     </message>
     <message>
       <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marque %1 de la longueur connue n’est pas vue deux fois ; nommez deux marques du plateau que les photos montrent.</translation>
+      <translation>La marque %1 de la longueur connue est visible sur moins de deux photos ; choisissez deux marques du plateau que les photos montrent.</translation>
     </message>
     <message>
       <source>A known length needs two different markers and a value greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une longueur connue demande deux marques différentes et des millimètres supérieurs à zéro.</translation>
+      <translation>Une longueur connue demande deux marques différentes et une valeur supérieure à 0 mm.</translation>
     </message>
     <message>
       <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier n’existe pas ; nommez-en un avec des photos du plateau ou de la mire.</translation>
+      <translation>Dossier introuvable ; choisissez-en un avec des photos du plateau ou de la mire.</translation>
     </message>
     <message>
       <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plus de cinq termes de distorsion pour '%1' ne sont pas compris ; corrigez d’abord la distorsion de ses photos.</translation>
+      <translation>Plus de cinq termes de distorsion pour '%1' ne sont pas pris en charge ; corrigez d’abord la distorsion de ses photos.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>
@@ -8416,7 +8416,7 @@
     <message>
       <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil %1 de COLMAP a le modèle '%2' ou des valeurs inutilisables ici ; prenez plutôt OPENCV.</translation>
+      <translation>L’appareil %1 de COLMAP a le modèle '%2' ou des valeurs qu’Ostraka ne prend pas en charge ; prenez plutôt OPENCV.</translation>
     </message>
     <message>
       <source>COLMAP's model has no camera for the image '%1'.</source>
@@ -8426,17 +8426,17 @@
     <message>
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le fichier est abîmé ou n’est pas tel que COLMAP l’écrit ; relancez COLMAP.</translation>
+      <translation>Le fichier est abîmé ou n’est pas au format de COLMAP ; relancez COLMAP.</translation>
     </message>
     <message>
       <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La ligne %1 n’est pas telle que COLMAP l’écrit ; relancez COLMAP.</translation>
+      <translation>La ligne %1 n’est pas au format de COLMAP ; relancez COLMAP.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La pose de cette photo est déterminée sans son masque.</translation>
+      <translation>La pose de cette photo est estimée sans son masque.</translation>
     </message>
     <message>
       <source>Without plate.json, poses come from COLMAP, which is not installed; install the package &apos;colmap&apos; or photograph on a marker plate.</source>
@@ -8451,7 +8451,7 @@
     <message>
       <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’échelle n’est pas juste : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %) ; vérifiez que plate.json est bien celui de ce plateau, qu’il est imprimé et collé fidèlement, et qu’un banc connu a été calibré avec lui.</translation>
+      <translation>L’échelle n’est pas juste : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %) ; vérifiez que plate.json est bien celui de ce plateau, qu’il est imprimé et collé sans déformation, et qu’un banc connu a été calibré avec lui.</translation>
     </message>
     <message>
       <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
@@ -8486,7 +8486,7 @@
     <message>
       <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
+      <translation>Appareil %1 : aucun modèle d’appareil ne convient aux images de calibration.</translation>
     </message>
     <message>
       <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
@@ -8516,12 +8516,12 @@
     <message>
       <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
+      <translation>Appareil %1 : aucun modèle d’appareil ne convient aux images de calibration.</translation>
     </message>
     <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : la mire ne s’y voit pas ; elle est mise de côté.</translation>
+      <translation>%1 : la mire n’a pas été détectée ; l’image est mise de côté.</translation>
     </message>
     <message>
       <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
@@ -8576,7 +8576,7 @@
     <message>
       <source>The measured ruler length must be in mm and within the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce que mesure la règle doit être une longueur en mm qui tient sur le plateau.</translation>
+      <translation>La longueur mesurée de la règle doit être en mm et tenir sur le plateau.</translation>
     </message>
     <message>
       <source>The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print the file at 100 %, without &apos;fit to page&apos;, and measure again.</source>
@@ -8586,12 +8586,12 @@
     <message>
       <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil %1 a une covariance d’une autre taille ; calibrez de nouveau le banc.</translation>
+      <translation>L’appareil %1 a une covariance de taille fausse ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
       <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce banc a été écrit par une autre version ; calibrez de nouveau le banc.</translation>
+      <translation>Une autre version d’Ostraka a écrit ce banc ; calibrez-le de nouveau.</translation>
     </message>
     <message>
       <source>Camera %1 appears twice in the rig.</source>
@@ -8611,7 +8611,7 @@
     <message>
       <source>This file already exists and is not a rig; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce fichier existe déjà et n’est pas un banc ; nommez-en un autre.</translation>
+      <translation>Ce fichier existe déjà et n’est pas un banc ; choisissez un autre nom.</translation>
     </message>
     <message>
       <source>The log cannot be written.</source>
@@ -8626,7 +8626,7 @@
     <message>
       <source>The program&apos;s exit status is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le programme a été perdu.</translation>
+      <translation>L’état de sortie du programme n’est pas connu.</translation>
     </message>
     <message>
       <source>The program cannot be started; install it.</source>
@@ -8636,7 +8636,7 @@
     <message>
       <source>%1 ended with an error; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 s’est terminé par une erreur ; ses messages sont dans ce fichier.</translation>
+      <translation>%1 s’est terminé par une erreur ; sa sortie est dans ce fichier.</translation>
     </message>
     <message>
       <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
@@ -8671,32 +8671,32 @@
     <message>
       <source>This COLMAP was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs neither.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce colmap a été compilé sans CUDA, dont sa stéréo dense a besoin ; installez-en un avec CUDA, ou prenez --dense builtin, qui n’a besoin de rien.</translation>
+      <translation>Ce COLMAP a été compilé sans CUDA, dont sa stéréo dense a besoin ; installez-en un avec CUDA, ou prenez --dense builtin, qui n’a besoin ni de l’un ni de l’autre.</translation>
     </message>
     <message>
       <source>The masks of the views show no common object; check masks, cameras and bounds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les masques des vues n’ont pas d’objet commun ; vérifiez les masques, les appareils et les limites.</translation>
+      <translation>Les masques des vues ne montrent aucun objet commun ; vérifiez les masques, les appareils et les limites.</translation>
     </message>
     <message>
       <source>InterfaceCOLMAP wrote no scene; its output is in this file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>InterfaceCOLMAP n’a pas laissé de scène ; ses messages sont dans ce fichier.</translation>
+      <translation>InterfaceCOLMAP n’a pas écrit de scène ; sa sortie est dans ce fichier.</translation>
     </message>
     <message>
       <source>Stereo needs at least 3 photographs with known cameras.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La profondeur demande au moins 3 photos dont la pose est connue.</translation>
+      <translation>La stéréo demande au moins 3 photos aux appareils connus.</translation>
     </message>
     <message>
       <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La photo ou son masque a une autre taille que celle de l’appareil ; donnez la photo avec laquelle l’appareil a été calibré.</translation>
+      <translation>La photo ou son masque n’a pas la taille des images de son appareil ; utilisez des photos de la taille avec laquelle l’appareil a été calibré.</translation>
     </message>
     <message>
       <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La photo a une autre taille que celle de l’appareil ; donnez la photo avec laquelle l’appareil a été calibré.</translation>
+      <translation>La photo n’a pas la taille des images avec lesquelles son appareil a été calibré ; utilisez la photo originale.</translation>
     </message>
     <message>
       <source>The mask and its photograph differ in size.</source>
@@ -8706,7 +8706,7 @@
     <message>
       <source>%1 found no points of the object; its output is in this file, and --dense builtin needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 n’a trouvé aucun point de l’objet ; ses messages sont dans ce fichier, et --dense builtin n’a besoin d’aucun autre programme.</translation>
+      <translation>%1 n’a trouvé aucun point de l’objet ; sa sortie est dans ce fichier, et --dense builtin n’a besoin d’aucun autre programme.</translation>
     </message>
     <message>
       <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
@@ -8716,12 +8716,12 @@
     <message>
       <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs no other program.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le programme %1 n’est pas dans le PATH, mais --dense %2 en a besoin ; installez-le, ou prenez --dense builtin, qui n’a besoin de rien.</translation>
+      <translation>Le programme %1 n’est pas dans le PATH, mais --dense %2 en a besoin ; installez-le, ou prenez --dense builtin, qui n’a besoin d’aucun autre programme.</translation>
     </message>
     <message>
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun point de surface n’a été trouvé sur lequel deux vues s’accordent ; vérifiez les appareils et les masques.</translation>
+      <translation>Aucune paire de vues ne s’accorde sur un point de la surface ; vérifiez les appareils et les masques.</translation>
     </message>
     <message>
       <source>The picture could not be encoded.</source>
@@ -8746,12 +8746,12 @@
     <message>
       <source>near_duplicates are groups of two: at most half the number of sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons semblables vont par deux : au plus la moitié du nombre de tessons.</translation>
+      <translation>near_duplicates sont des groupes de deux : au plus la moitié du nombre de tessons.</translation>
     </message>
     <message>
       <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le banc demande un appareil et au moins quatre arrêts ; calibrez-le de nouveau.</translation>
+      <translation>Le banc demande un appareil et au moins quatre positions ; calibrez-le de nouveau.</translation>
     </message>
     <message>
       <source>The virtual camera has no setting %1 of %2.</source>
@@ -8766,12 +8766,12 @@
     <message>
       <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP ne trouve pas comment ces photographies vont ensemble ; ses messages sont dans ce fichier. Vérifiez que toutes montrent les mêmes tessons avec un large recouvrement, ou photographiez sur un plateau à repères.</translation>
+      <translation>COLMAP ne peut pas aligner ces photographies ; sa sortie est dans ce fichier. Vérifiez que toutes montrent les mêmes tessons avec un large recouvrement, ou photographiez sur un plateau à marques.</translation>
     </message>
     <message>
       <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce modèle n'est plus là ; recalculez son lot.</translation>
+      <translation>Ce modèle manque ; retraitez son lot.</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8781,7 +8781,7 @@
     <message>
       <source>This sherd is void; reason: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce tesson est annulé, parce que : %1</translation>
+      <translation>Ce tesson est annulé ; raison : %1</translation>
     </message>
     <message>
       <source>%1 is void and was left out.</source>
@@ -8836,7 +8836,7 @@
     <message>
       <source>There is no bag %1 in context %2 yet; enter it during capture or import a table of contexts that contains it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a pas encore de sac %1 dans le contexte %2 ; tapez-le à la prise de vue, ou importez une table de contextes qui le contient.</translation>
+      <translation>Il n’y a pas encore de sac %1 dans le contexte %2 ; saisissez-le à la prise de vue, ou importez un tableau de contextes qui le contient.</translation>
     </message>
     <message>
       <source>The edge taken as the lip may be a fracture (%1 % that it is the lip), and the diameter may be wrong; check the sherd&apos;s orientation.</source>
@@ -8846,12 +8846,12 @@
     <message>
       <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce lot est en train d'être photographié ; il sera calculé quand ce sera fini.</translation>
+      <translation>Ce lot est en train d'être photographié ; il sera traité ensuite.</translation>
     </message>
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les remontages avec des tessons que l’exportation ne contient pas ou qui ne sont pas entrés sont omis : %1 ; saisissez-les à la main.</translation>
+      <translation>Les remontages avec des tessons qui ne sont pas dans l’exportation ou n’ont pas été importés sont omis : %1 ; saisissez-les à la main.</translation>
     </message>
     <message>
       <source>'%1' can be read as %2 or as %3; write one of the two.</source>
@@ -8866,52 +8866,52 @@
     <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le lot n'est pas calculé jusqu'au bout ; laissez la file le calculer, puis ses paires pourront être examinées.</translation>
+      <translation>Le lot n'est pas entièrement traité ; laissez la file le traiter, puis examinez ses paires.</translation>
     </message>
     <message>
       <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a été reprise après la retouche de son masque ; les traits sur la photographie précédente sont laissés de côté. Regardez son masque.</translation>
+      <translation>%1 a été reprise après la modification de son masque ; les traits sur la photographie précédente sont laissés de côté. Vérifiez son masque.</translation>
     </message>
     <message>
       <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les remontages avec des lignes qui ne sont pas entrées sont omis : %1 ; importez de nouveau le tableau quand ces lignes seront corrigées.</translation>
+      <translation>Les remontages avec des lignes qui n’ont pas été importées sont omis : %1 ; corrigez ces lignes, puis importez de nouveau le tableau.</translation>
     </message>
     <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore calculé.</translation>
+      <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore traité.</translation>
     </message>
     <message>
       <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou retirez-la.</translation>
+      <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou supprimez-la.</translation>
     </message>
     <message>
       <source>Enter a number after =.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le signe = est suivi d&apos;un numéro.</translation>
+      <translation>Entrez un numéro après =.</translation>
     </message>
     <message>
       <source>This is a folder, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un dossier, pas un fichier ; indiquez un fichier.</translation>
+      <translation>C'est un dossier, pas un fichier ; choisissez un fichier.</translation>
     </message>
     <message>
       <source>This is a pipe, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un tube nommé, pas un fichier ; indiquez un fichier.</translation>
+      <translation>C'est un tube nommé, pas un fichier ; choisissez un fichier.</translation>
     </message>
     <message>
       <source>This is a socket, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un socket, pas un fichier ; indiquez un fichier.</translation>
+      <translation>C'est un socket, pas un fichier ; choisissez un fichier.</translation>
     </message>
     <message>
       <source>This is a device, not a file; choose a file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un périphérique, pas un fichier ; indiquez un fichier.</translation>
+      <translation>C'est un périphérique, pas un fichier ; choisissez un fichier.</translation>
     </message>
     <message>
       <source>A link has taken the place of this folder&apos;s lock file; delete the link.</source>
@@ -8926,7 +8926,7 @@
     <message>
       <source>The JSON contains &apos;%1&apos; twice in one object; delete one of the two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le JSON nomme « %1 » deux fois dans un objet ; supprimez l'un des deux.</translation>
+      <translation>Le JSON contient « %1 » deux fois dans un objet ; supprimez l'un des deux.</translation>
     </message>
     <message>
       <source>&apos;%1&apos; must be a whole number from %2 to %3; correct it.</source>
@@ -8946,7 +8946,7 @@
     <message>
       <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marque %1 du plateau est inversée : vus d'en haut, ses coins tournent dans le sens antihoraire ; imprimez de nouveau le fichier du plateau.</translation>
+      <translation>La marque %1 du plateau est inversée : vus d'en haut, ses coins tournent dans le sens antihoraire ; créez de nouveau le fichier du plateau.</translation>
     </message>
     <message>
       <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
@@ -8956,7 +8956,7 @@
     <message>
       <source>The markers %1 and %2 of the plate overlap; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les marques %1 et %2 du plateau se chevauchent ; imprimez de nouveau le fichier du plateau.</translation>
+      <translation>Les marques %1 et %2 du plateau se chevauchent ; créez de nouveau le fichier du plateau.</translation>
     </message>
     <message>
       <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
@@ -8976,7 +8976,7 @@
     <message>
       <source>A link or a file has taken the place of a folder, or a link that of a file; replace it with the folder or the file itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un lien ou un fichier se trouve à la place d&apos;un dossier, ou un lien à la place d&apos;un fichier ; mettez-y les fichiers eux-mêmes.</translation>
+      <translation>Un lien ou un fichier a pris la place d&apos;un dossier, ou un lien celle d&apos;un fichier ; remplacez-le par le dossier ou le fichier lui-même.</translation>
     </message>
     <message>
       <source>A file of this name already exists; it is not overwritten.</source>
@@ -8986,7 +8986,7 @@
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L&apos;export nomme un endroit du projet où un tel fichier n&apos;a pas sa place ; rien n&apos;a été enregistré.</translation>
+      <translation>L&apos;exportation nomme un endroit du projet où un tel fichier n&apos;a pas sa place ; rien n&apos;a été importé.</translation>
     </message>
     <message>
       <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
@@ -8996,37 +8996,37 @@
     <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier de sortie a disparu : il a été déplacé ou supprimé pendant que le programme y écrivait. Les photographies sont intactes ; relancer la même commande.</translation>
+      <translation>Le dossier de sortie a disparu : il a été déplacé ou supprimé pendant qu’Ostraka y écrivait. Les photographies sont intactes ; relancez la même commande.</translation>
     </message>
     <message>
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le dossier contient déjà des fichiers ; en nommer un nouveau ou un vide.</translation>
+      <translation>Le dossier contient déjà des fichiers ; choisissez-en un nouveau ou un vide.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier est un disque à part, ou celui où vous vous trouvez ; nommer un nouveau dossier à l&apos;intérieur.</translation>
+      <translation>Ce dossier est un point de montage ou le dossier courant ; choisissez un nouveau dossier à l&apos;intérieur.</translation>
     </message>
     <message>
       <source>This folder is needed for unfinished files but contains others; move it elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce dossier est nécessaire aux fichiers inachevés, mais il en contient d&apos;autres ; le déplacer.</translation>
+      <translation>Ce dossier est nécessaire aux fichiers inachevés, mais il en contient d&apos;autres ; déplacez-le.</translation>
     </message>
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un morceau de %1 % de la longueur du tesson habituel a été écarté de la face avant ; sans échelle, ce peut être un tesson.</translation>
+      <translation>Un objet de %1 % de la longueur du tesson habituel a été laissé de côté sur la face avant ; sans échelle, ce peut être un tesson.</translation>
     </message>
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un morceau de %1 % de la longueur du tesson habituel a été écarté de la face arrière ; sans échelle, ce peut être un tesson.</translation>
+      <translation>Un objet de %1 % de la longueur du tesson habituel a été laissé de côté sur la face arrière ; sans échelle, ce peut être un tesson.</translation>
     </message>
     <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Si c&apos;en est un, le photographier seul.</translation>
+      <translation>Si c&apos;en est un, photographiez-le seul.</translation>
     </message>
     <message>
         <source>The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore it with 'ostraka catalogue repair PROJECT'.</source>
@@ -9081,7 +9081,7 @@
     <message>
         <source>This project is read-only, and there is no space for the copy that Ostraka reads; free some space in the folder for temporary files.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ce projet est en lecture seule et la place manque pour une copie de lecture ; libérez de la place dans le dossier des fichiers temporaires.</translation>
+        <translation>Ce projet est en lecture seule et la place manque pour la copie que lit Ostraka ; libérez de la place dans le dossier des fichiers temporaires.</translation>
     </message>
     <message>
         <source>An older Ostraka made this project, and it is read-only here; copy it to a folder that you can write to, and open it there.</source>
@@ -9101,17 +9101,17 @@
     <message>
         <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; indiquez lesquelles.</translation>
+        <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; sélectionnez-les.</translation>
     </message>
     <message>
         <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Sur %1 lignes, %2 sont enregistrées ; la même importation enregistre les autres.</translation>
+        <translation>%1 lignes au total, %2 importées ; relancez la même importation pour les autres.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La colonne &apos;%1&apos; dit la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ à vous.</translation>
+      <translation>La colonne &apos;%1&apos; signifie la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ à vous.</translation>
     </message>
     <message>
       <source>Check the drawing of %1: %2</source>

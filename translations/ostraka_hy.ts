@@ -37,14 +37,14 @@
     <message>
       <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. այս համարը մուտքագրվել էր սկավառակի վրա, բայց այնտեղ համատեքստով խեցաբեկոր չկա. տվեք այն կատալոգում։</translation>
+      <translation>%1. այս համարը մուտքագրվել էր սկավառակի վրա, բայց այնտեղ համատեքստով բեկոր չկա. տվեք այն կատալոգում։</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Սկավառակի վրա հաշվվել է %n խեցաբեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
-        <numerusform>Սկավառակի վրա հաշվվել է %n խեցաբեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
+        <numerusform>Սկավառակի վրա հաշվվել է %n բեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
+        <numerusform>Սկավառակի վրա հաշվվել է %n բեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
       </translation>
     </message>
     <message>
@@ -55,7 +55,7 @@
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակի հաշվարկի ընթացքում զույգեր են որոշվել կամ դիմակներ ուղղվել. դրանց համար նորից հաշվարկեք։</translation>
+      <translation>Խմբաքանակի մշակման ընթացքում զույգեր են որոշվել կամ դիմակներ խմբագրվել. դրանց համար վերամշակեք։</translation>
     </message>
 </context>
 <context>
@@ -294,7 +294,7 @@
     <message>
       <source>site %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հնավայր %1</translation>
+      <translation>հուշարձան %1</translation>
     </message>
     <message>
       <source>trench %1</source>
@@ -315,8 +315,8 @@
         <source>%n sherd(s) counted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>
-            <numerusform>հաշվված է %n խեցի</numerusform>
-            <numerusform>հաշվված է %n խեցի</numerusform>
+            <numerusform>հաշվված է %n բեկոր</numerusform>
+            <numerusform>հաշվված է %n բեկոր</numerusform>
         </translation>
     </message>
 </context>
@@ -689,22 +689,22 @@
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>դիմերես %1</translation>
+        <translation>առջևի երես %1</translation>
     </message>
     <message>
         <source>back %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>դարձերես %1</translation>
+        <translation>հետևի երես %1</translation>
     </message>
     <message>
         <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Միավորված է %1-ի հետ, %2: Խմբաքանակի վերամշակումից հետո մեկ բեկոր կլինի:</translation>
+        <translation>Միավորված է %1-ի հետ, %2։ Խմբաքանակի վերամշակումից հետո մեկ կտոր կլինի։</translation>
     </message>
     <message>
         <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Բաժանված է, %1: Բեկորները կհայտնվեն խմբաքանակի վերամշակումից հետո:</translation>
+        <translation>Բաժանված է, %1։ Կտորները կհայտնվեն խմբաքանակի վերամշակումից հետո։</translation>
     </message>
     <message>
         <source>Merged</source>
@@ -719,17 +719,17 @@
     <message>
         <source>No front</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Դիմերես չկա</translation>
+        <translation>Առջևի երես չկա</translation>
     </message>
     <message>
         <source>This back is to be reshot.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Այս դարձերեսը պետք է նորից լուսանկարել:</translation>
+        <translation>Այս հետևի երեսը պետք է վերալուսանկարել։</translation>
     </message>
     <message>
         <source>No front holds this back. Drag it onto its front, merge it with another, or set it aside.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ոչ մի դիմերես այս դարձերեսը չունի: Քաշեք այն իր դիմերեսի վրա, միավորեք մեկ ուրիշի հետ կամ մի կողմ դրեք:</translation>
+        <translation>Ոչ մի առջևի երես այս հետևի երեսը չունի։ Քաշեք այն իր առջևի երեսի վրա, միավորեք մեկ ուրիշի հետ կամ մի կողմ դրեք։</translation>
     </message>
     <message>
         <source>%1 and %2 both fit %3: their fractures differ by only %4.</source>
@@ -744,7 +744,7 @@
     <message>
         <source>%1 fits barely better than an unrelated back.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 հազիվ ավելի լավ է համապատասխանում, քան օտար դարձերեսը:</translation>
+        <translation>%1 հազիվ ավելի լավ է համապատասխանում, քան օտար հետևի երեսը։</translation>
     </message>
     <message>
         <source>Ambiguous: a second position fits almost as well.</source>
@@ -764,7 +764,7 @@
     <message>
         <source>No back</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Դարձերես չկա</translation>
+        <translation>Հետևի երես չկա</translation>
     </message>
     <message>
         <source>Sure</source>
@@ -839,22 +839,22 @@
     <message>
       <source>The fracture barely fixes the position: uncertain by %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրը հազիվ է որոշում դիրքը. անորոշությունը %1 է։</translation>
+      <translation>Կոտրվածքը հազիվ է որոշում դիրքը. անորոշությունը %1 է։</translation>
     </message>
     <message>
       <source>A position %1 along the contour fits almost as well.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրով %1 հեռու մի տեղ գրեթե նույնքան լավ է հարմարվում։</translation>
+      <translation>Ուրվագծով %1 հեռու մի դիրք գրեթե նույնքան լավ է հարմարվում։</translation>
     </message>
     <message>
       <source>The fractures cannot be compared; only the outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
+      <translation>Կոտրվածքները համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
     </message>
     <message>
       <source>The fractures barely touch: %1 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը հազիվ են հանդիպում՝ %1-ը։</translation>
+      <translation>Կոտրվածքները հազիվ են հպվում՝ %1-ը։</translation>
     </message>
     <message>
       <source>refined</source>
@@ -864,12 +864,12 @@
     <message>
       <source>Turned by hand: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շրջված է ձեռքով. հանդիպում է եզրերի %1-ը։</translation>
+      <translation>Շրջված է ձեռքով. հպվում է կոտրվածքների %1-ը։</translation>
     </message>
     <message>
       <source>Trying another start point: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է ուրիշ սկզբնակետ. հանդիպում է եզրերի %1-ը։</translation>
+      <translation>Փորձվում է ուրիշ սկզբնակետ. հպվում է կոտրվածքների %1-ը։</translation>
     </message>
     <message>
       <source>Trying another start point.</source>
@@ -879,12 +879,12 @@
     <message>
       <source>Refined by the fractures: %1 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հարմարեցված է եզրերով. հանդիպում է %1-ը։</translation>
+      <translation>Հարմարեցված է կոտրվածքներով. հպվում է %1-ը։</translation>
     </message>
     <message>
       <source>Refined by the fractures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հարմարեցված է եզրերով։</translation>
+      <translation>Հարմարեցված է կոտրվածքներով։</translation>
     </message>
     <message>
       <source>Trying %1: %2.</source>
@@ -894,12 +894,12 @@
     <message>
       <source>Trying %1: %2, fractures %3 apart.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է %1-ը՝ %2, եզրերի հեռավորությունը %3։</translation>
+      <translation>Փորձվում է %1-ը՝ %2, կոտրվածքների հեռավորությունը %3։</translation>
     </message>
     <message>
       <source>Trying %1: %2; its fractures do not touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փորձվում է %1-ը՝ %2. եզրերը չեն հանդիպում։</translation>
+      <translation>Փորձվում է %1-ը՝ %2. կոտրվածքները չեն հպվում։</translation>
     </message>
     <message>
       <source>sherd %1 of %2</source>
@@ -1114,14 +1114,14 @@
       <source>%1 is ready: %n sherd(s).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
-        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
+        <numerusform>%1-ը պատրաստ է՝ %n բեկոր։</numerusform>
+        <numerusform>%1-ը պատրաստ է՝ %n բեկոր։</numerusform>
       </translation>
     </message>
     <message>
       <source>You cancelled it. Finished stages are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դուք կանգնեցրիք։ Մինչև հիմա հաշվարկվածը պահվում է։</translation>
+      <translation>Դուք չեղարկեցիք։ Ավարտված փուլերը պահված են։</translation>
     </message>
     <message>
       <source>You removed it from the queue.</source>
@@ -1139,12 +1139,12 @@
     <message>
       <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տեսախցիկը տեղաշարժվել է. վրիպում է նշաններից %2 px, տրամաչափման տեղից %3 մմ հեռու։</translation>
+      <translation>%1 տեսախցիկը տեղաշարժվել է. վրիպում է նշիչներից %2 px, տրամաչափման տեղից %3 մմ հեռու։</translation>
     </message>
     <message>
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Չհասավ ավարտին. հաշվարկեք նորից։</translation>
+      <translation>Ընդհատվել է. վերամշակեք։</translation>
     </message>
 </context>
 <context>
@@ -1388,7 +1388,7 @@
     <message>
       <source>Type the sherds' numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մուտքագրել խեցաբեկորների համարները</translation>
+      <translation>Մուտքագրել բեկորների համարները</translation>
     </message>
     <message>
       <source>This project photographs with no calibrated rig of its own.</source>
@@ -1443,7 +1443,7 @@
     <message>
       <source>Stop turntable</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցնել</translation>
+      <translation>Կանգնեցնել սեղանը</translation>
     </message>
     <message>
       <source>Change rig…</source>
@@ -1468,7 +1468,7 @@
     <message>
       <source>Import cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծումը կանգնեցված է. ոչինչ չի մնացել։</translation>
+      <translation>Ներմուծումը չեղարկված է. ոչինչ չի մնացել։</translation>
     </message>
     <message>
       <source>Import anyway</source>
@@ -1478,7 +1478,7 @@
     <message>
       <source>Photograph this side again?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարե՞լ այս կողմը ևս մեկ անգամ</translation>
+      <translation>Լուսանկարե՞լ այս երեսը ևս մեկ անգամ</translation>
     </message>
     <message>
       <source>Keep these numbers</source>
@@ -1536,7 +1536,7 @@
     <message>
       <source>Lay the sherds on the plate</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դրեք խեցաբեկորները սկավառակին</translation>
+      <translation>Դրեք բեկորները սկավառակին</translation>
     </message>
     <message>
       <source>Stopped</source>
@@ -1695,7 +1695,7 @@
     <message>
       <source>%1 was interrupted in the middle of this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ն ընդհատվել է այս կողմի կեսին։</translation>
+      <translation>%1-ն ընդհատվել է այս երեսի կեսին։</translation>
     </message>
     <message>
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
@@ -1705,12 +1705,12 @@
     <message>
       <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նորից լուսանկարելու՝ %1։ Դրեք դրանք մյուսների հետ և մուտքագրեք նրանց համարները (N), երբ դիմային կողմերը լուսանկարված են։</translation>
+      <translation>Նորից լուսանկարելու՝ %1։ Դրեք դրանք մյուսների հետ և մուտքագրեք նրանց համարները (N), երբ առջևի երեսները լուսանկարված են։</translation>
     </message>
     <message>
       <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս կողմի լուսանկարներում սխալ չկա։ Եվս մեկ անգամ ընտրեք «Լուսանկարել կրկին», որպեսզի բոլորը մի կողմ դրվեն և նորերն արվեն։</translation>
+      <translation>Այս երեսի լուսանկարներում սխալ չկա։ Եվս մեկ անգամ ընտրեք «Լուսանկարել կրկին», որպեսզի բոլորը մի կողմ դրվեն և նորերն արվեն։</translation>
     </message>
     <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
@@ -1730,17 +1730,17 @@
     <message>
         <source>Taking calibration photographs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Արվում են չափաբերման լուսանկարներ</translation>
+        <translation>Արվում են տրամաչափման լուսանկարներ</translation>
     </message>
     <message>
         <source>The virtual rig turns the sherds over</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Վիրտուալ սարքակազմը շրջում է խեցիները</translation>
+        <translation>Վիրտուալ սարքակազմը շրջում է բեկորները</translation>
     </message>
     <message>
         <source>Nothing to do by hand: shoot the backs.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ձեռքով անելիք չկա. լուսանկարեք դարձերեսները:</translation>
+        <translation>Ձեռքով անելիք չկա. լուսանկարեք հետևի երեսները։</translation>
     </message>
     <message>
         <source>Resume at position %1</source>
@@ -1750,12 +1750,12 @@
     <message>
         <source>Shoot the backs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Լուսանկարել դարձերեսները</translation>
+        <translation>Լուսանկարել հետևի երեսները</translation>
     </message>
     <message>
         <source>Calibration photograph %1 of %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Չափաբերման լուսանկար %1 / %2</translation>
+        <translation>Տրամաչափման լուսանկար %1 / %2</translation>
     </message>
     <message>
         <source>Position %1 of %2</source>
@@ -1788,7 +1788,7 @@
     <message>
       <source>Camera %1 at position %2: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1, կանգառ %2՝ %3</translation>
+      <translation>Տեսախցիկ %1, դիրք %2՝ %3</translation>
     </message>
     <message>
       <source>Check the plate before you clear it</source>
@@ -1798,7 +1798,7 @@
     <message>
       <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսը վեր, մեկ մատ հեռավորություն, եզրի նշաններն ազատ։</translation>
+      <translation>Առջևի երեսը վեր, մեկ մատ հեռավորություն, եզրի նշիչներն ազատ։</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -1813,7 +1813,7 @@
     <message>
       <source>Accept and queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ճիշտ է. դնել հերթի</translation>
+      <translation>Ընդունել և դնել հերթի</translation>
     </message>
     <message numerus="yes">
       <source>%n photograph(s) saved</source>
@@ -1826,7 +1826,7 @@
     <message>
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նշաններ՝ %1 %2-ից</translation>
+      <translation>Նշիչներ՝ %1 %2-ից</translation>
     </message>
     <message>
       <source>Releasing the camera from the desktop</source>
@@ -1841,7 +1841,7 @@
     <message>
       <source>Markers %1 of %2, %3 needed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նշաններ՝ %1 %2-ից, պետք է %3</translation>
+      <translation>Նշիչներ՝ %1 %2-ից, պետք է %3</translation>
     </message>
     <message>
       <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
@@ -1851,7 +1851,7 @@
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Սեղանը կանգնած է: Պահված լուսանկարները մնում են:</translation>
+        <translation>Պտտվող սեղանը կանգնած է։ Պահված լուսանկարները մնում են։</translation>
     </message>
 </context>
 <context>
@@ -1967,12 +1967,12 @@
     <message>
         <source>No sherds yet</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Դեռ խեցիներ չկան</translation>
+        <translation>Դեռ բեկորներ չկան</translation>
     </message>
     <message>
         <source>Sherds appear here when a batch is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Խեցիները կհայտնվեն այստեղ, երբ խմբաքանակը մշակվի:</translation>
+        <translation>Բեկորները կհայտնվեն այստեղ, երբ խմբաքանակը մշակվի։</translation>
     </message>
     <message>
         <source>Capture a batch</source>
@@ -1982,7 +1982,7 @@
     <message>
         <source>No sherds match this filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Այս զտիչին համապատասխան խեցի չկա</translation>
+        <translation>Այս զտիչին համապատասխան բեկոր չկա</translation>
     </message>
     <message>
         <source>Remove a condition to see more.</source>
@@ -2007,7 +2007,7 @@
     <message>
         <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Անվավեր խեցաբեկորը պիտակ, գծագիր կամ տեղ սկավառակի վրա չի ստանում, և դրա համարն այլևս չի տրվում։ %1-ն անվավե՞ր է. «%2»</translation>
+        <translation>Անվավեր բեկորը պիտակ, գծագիր կամ տեղ սկավառակի վրա չի ստանում, և դրա համարն այլևս չի տրվում։ %1-ն անվավե՞ր է. «%2»</translation>
     </message>
     <message>
       <source>Import…</source>
@@ -2017,12 +2017,12 @@
     <message>
       <source>Dismiss</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այլևս չհիշեցնել</translation>
+      <translation>Անտեսել</translation>
     </message>
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Այո, անվավեր է</translation>
+        <translation>Անվավեր դարձնել բեկորը</translation>
     </message>
 </context>
 <context>
@@ -2173,22 +2173,22 @@
     <message>
       <source>Shaded form</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ձևի լույս և ստվեր</translation>
+      <translation>Ստվերագծված ձև</translation>
     </message>
     <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ըստ մասերի կամ ըստ հավանականության</translation>
+      <translation>Ինքնաշխատ</translation>
     </message>
     <message>
       <source>Rim sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շուրթ է</translation>
+      <translation>Շուրթի բեկոր</translation>
     </message>
     <message>
       <source>No rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շուրթ չէ</translation>
+      <translation>Շուրթ չկա</translation>
     </message>
     <message>
       <source>Save…</source>
@@ -2213,7 +2213,7 @@
     <message>
       <source>Cancelled. Nothing was drawn.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի գծվել։</translation>
+      <translation>Չեղարկված է. ոչինչ չի գծվել։</translation>
     </message>
     <message numerus="yes">
       <source>Drawing %n sherd(s)…</source>
@@ -2304,7 +2304,7 @@
     <message>
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի մնացել։</translation>
+      <translation>Չեղարկված է. ոչինչ չի մնացել։</translation>
     </message>
 </context>
 <context>
@@ -2480,7 +2480,7 @@
     <message>
         <source>Selected sherds</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ընտրված խեցիներ</translation>
+        <translation>Ընտրված բեկորներ</translation>
     </message>
     <message>
       <source>Choose…</source>
@@ -2490,7 +2490,7 @@
     <message>
       <source>Folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Որտե՞ղ լինի պանակը։</translation>
+      <translation>Արտահանման պանակ</translation>
     </message>
     <message>
       <source>fit to A4</source>
@@ -2623,7 +2623,7 @@
     <message>
       <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խեցաբեկորների ամբողջական, չափված եռաչափ մոդելներ՝ երկու երեսների լուսանկարներից։</translation>
+      <translation>Բեկորների ամբողջական, չափված եռաչափ մոդելներ՝ երկու երեսների լուսանկարներից։</translation>
     </message>
     <message>
       <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
@@ -2729,7 +2729,7 @@
     <message>
         <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Խեցաբեկորների աղյուսակն ունի դրանց համարների սյունակ, համատեքստերինը՝ հուշարձանի և համատեքստի սյունակներ։ Անունները կարող են լինել ծրագրի ցանկացած լեզվով։</translation>
+        <translation>Բեկորների աղյուսակն ունի դրանց համարների սյունակ, համատեքստերինը՝ հուշարձանի և համատեքստի սյունակներ։ Անունները կարող են լինել ծրագրի ցանկացած լեզվով։</translation>
     </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
@@ -2807,7 +2807,7 @@
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գրանցված է՝ %1</translation>
+      <translation>Ներմուծված է՝ %1</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -2818,8 +2818,8 @@
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Գրանցել %n տող</numerusform>
-        <numerusform>Գրանցել %n տող</numerusform>
+        <numerusform>Ներմուծել %n տող</numerusform>
+        <numerusform>Ներմուծել %n տող</numerusform>
       </translation>
     </message>
 </context>
@@ -2856,7 +2856,7 @@
     <message>
       <source>Cancelled. Nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի գրանցվել։</translation>
+      <translation>Չեղարկված է. ոչինչ չի ներմուծվել։</translation>
     </message>
     <message numerus="yes">
       <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
@@ -3000,7 +3000,7 @@
     <message>
       <source>Queue: editing masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հերթ. դիմակների ուղղում</translation>
+      <translation>Հերթ. դիմակների խմբագրում</translation>
     </message>
     <message>
       <source>%1 (read-only)</source>
@@ -3109,7 +3109,7 @@
     <message>
         <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ: Մշակումից հետո քարտեզը ցույց կտա, թե որ խեցին որտեղ էր:</translation>
+        <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ։ Մշակումից հետո քարտեզը ցույց կտա, թե որ բեկորը որտեղ էր։</translation>
     </message>
     <message>
         <source>Capture a batch</source>
@@ -3337,7 +3337,7 @@
     <message>
       <source>Stopped; the back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. հետևի կողմը մնում է իր տեղում։</translation>
+      <translation>Կանգնեցված է. հետևի երեսը մնում է իր տեղում։</translation>
     </message>
     <message>
       <source>What was only tried is gone: its pairs were closed since.</source>
@@ -3362,37 +3362,37 @@
     <message>
       <source>The fractures do not touch here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերն այստեղ չեն հանդիպում։</translation>
+      <translation>Կոտրվածքներն այստեղ չեն հպվում։</translation>
     </message>
     <message>
       <source>Fractures %1 apart, %2 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերի հեռավորությունը %1, հանդիպում է %2-ը։</translation>
+      <translation>Կոտրվածքների հեռավորությունը %1, հպվում է %2-ը։</translation>
     </message>
     <message>
       <source>Turned by hand; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շրջված է ձեռքով. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
+      <translation>Շրջված է ձեռքով. B-ն ճշգրտում է հարմարեցումը։</translation>
     </message>
     <message>
       <source>Start point %1; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկզբնակետ %1. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
+      <translation>Սկզբնակետ %1. B-ն ճշգրտում է հարմարեցումը։</translation>
     </message>
     <message>
       <source>One of the two has no back to merge.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Երկուսից մեկը միացնելու հետևի երես չունի։</translation>
+      <translation>Երկուսից մեկը միավորելու հետևի երես չունի։</translation>
     </message>
     <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հարմարեցում եզրերով</translation>
+      <translation>հարմարեցման ճշգրտում</translation>
     </message>
     <message>
       <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս զույգը դեռ փակ մոդել չունի. այն ստեղծվում է խմբաքանակը հաշվարկելիս։</translation>
+      <translation>Այս զույգը դեռ փակ մոդել չունի։ Վերամշակեք խմբաքանակը՝ այն ստեղծելու համար։</translation>
     </message>
     <message>
       <source>This back has no partner.</source>
@@ -3402,7 +3402,7 @@
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի եզրերը հազիվ են հանդիպում՝ %3-ը։</translation>
+      <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի կոտրվածքները հազիվ են հպվում՝ %3-ը։</translation>
     </message>
 </context>
 <context>
@@ -3450,7 +3450,7 @@
     <message>
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սլաքները տեղաշարժում են գիծը, Shift-ի հետ՝ թեքում, Վերև կամ Ներքև՝ մյուս կողմը, Enter՝ կտրում է: Կամ մկնիկով գիծ քաշեք:</translation>
+      <translation>Սլաքները տեղաշարժում են գիծը, Shift-ի հետ՝ թեքում, Վերև կամ Ներքև՝ մյուս երեսը, Enter՝ կտրում է։ Կամ մկնիկով գիծ քաշեք։</translation>
     </message>
 </context>
 <context>
@@ -3595,12 +3595,12 @@
     <message>
         <source>Processes each new batch quickly and coarsely, for a check while the sherds are still on the plate; reprocessing makes it final (D)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ամեն նոր խմբաքանակ մշակում է արագ և կոպիտ՝ ստուգելու, քանի դեռ խեցիները սկուտեղին են. վերամշակումը դարձնում է վերջնական (D)</translation>
+        <translation>Ամեն նոր խմբաքանակ մշակում է արագ և կոպիտ՝ ստուգելու, քանի դեռ բեկորները սկավառակին են. վերամշակումը դարձնում է վերջնական (D)</translation>
     </message>
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Վերաչափաբերել</translation>
+        <translation>Վերատրամաչափել սարքակազմը</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -3811,7 +3811,7 @@
     <message>
         <source>Split a scan of two sherds along a line over its photograph (K)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Երկու խեցու սկանը բաժանել լուսանկարի վրայի գծով (K)</translation>
+        <translation>Երկու բեկորի սկանը բաժանել լուսանկարի վրայի գծով (K)</translation>
     </message>
     <message>
         <source>Merge</source>
@@ -3821,12 +3821,12 @@
     <message>
         <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Միավորել մեկ խեցու երկու բեկոր. ապա ընտրել մյուս քարտը (J դիմերեսներ, Shift+J դարձերեսներ)</translation>
+        <translation>Միավորել մեկ բեկորի երկու կտոր. ապա ընտրել մյուս քարտը (J առջևի երեսներ, Shift+J հետևի երեսներ)</translation>
     </message>
     <message>
         <source>Merge backs</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Միավորել դարձերեսները</translation>
+        <translation>Միավորել հետևի երեսները</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -3836,12 +3836,12 @@
     <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համեմատվում են … Esc-ը կանգնեցնում է։</translation>
+      <translation>Կոտրվածքները համեմատվում են … Esc-ը կանգնեցնում է։</translation>
     </message>
     <message>
       <source>Refining the fit, fracture gap %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համընկնում են՝ %1։ Esc-ը կանգնեցնում է։</translation>
+      <translation>Հարմարեցումը ճշգրտվում է, կոտրվածքի բացվածքը %1։ Esc-ը կանգնեցնում է։</translation>
     </message>
 </context>
 <context>
@@ -3914,17 +3914,17 @@
     <message>
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1-ը վերալուսանկարվել է որպես %2 %3-ում և հիմա երկու գրառում ունի: Մեկն անվավեր դարձրեք գրացուցակում կամ բեկորն այստեղ մի կողմ դրեք:</translation>
+        <translation>%1-ը վերալուսանկարվել է որպես %2 %3-ում և հիմա երկու գրառում ունի։ Մեկն անվավեր դարձրեք կատալոգում կամ կտորն այստեղ մի կողմ դրեք։</translation>
     </message>
     <message>
       <source>%1 is queued; only what changed is reprocessed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը սպասում է հաշվարկի. կրկնվում է միայն փոխվածը։</translation>
+      <translation>%1-ը հերթում է. վերամշակվում է միայն փոխվածը։</translation>
     </message>
     <message>
       <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Նոր կտորների զույգերը կգան հաշվարկից հետո։</translation>
+      <translation>Պահված է։ Նոր կտորների զույգերը կհայտնվեն վերամշակումից հետո։</translation>
     </message>
     <message>
       <source>Undone. The history keeps both.</source>
@@ -3934,14 +3934,14 @@
     <message>
       <source>No pairs to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի զույգի նայել պետք չէ</translation>
+      <translation>Ստուգելու զույգեր չկան</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n զույգի պետք է նայել</numerusform>
-        <numerusform>%n զույգի պետք է նայել</numerusform>
+        <numerusform>Ստուգելու %n զույգ</numerusform>
+        <numerusform>Ստուգելու %n զույգ</numerusform>
       </translation>
     </message>
     <message>
@@ -3952,12 +3952,12 @@
     <message>
       <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը համար չի ունենա, իսկ %1 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
+      <translation>Պահված է։ Վերամշակումից հետո միավորված բեկորը համար չի ունենա, իսկ %1 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
+      <translation>Պահված է։ Վերամշակումից հետո միավորված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
     </message>
     <message>
       <source>%1 has no scale: no length shown here is in millimetres.</source>
@@ -3967,7 +3967,7 @@
     <message>
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է։ Հաշվարկելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիացնի դրանք։</translation>
+      <translation>Պահված է։ Վերամշակելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիավորի դրանք։</translation>
     </message>
 </context>
 <context>
@@ -4386,8 +4386,8 @@
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
-        <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
+        <numerusform>%n բեկոր համար չստացավ. %1</numerusform>
+        <numerusform>%n բեկոր համար չստացավ. %1</numerusform>
       </translation>
     </message>
     <message numerus="yes">
@@ -4401,7 +4401,7 @@
     <message>
       <source>Cancelled. Nothing was changed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցված է. ոչինչ չի փոխվել։</translation>
+      <translation>Չեղարկված է. ոչինչ չի փոխվել։</translation>
     </message>
 </context>
 <context>
@@ -4465,7 +4465,7 @@
     <message>
       <source>Potsherds, both sides, complete and measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խեցաբեկորներ՝ երկու երեսով, ամբողջական և չափված։</translation>
+      <translation>Բեկորներ՝ երկու երեսով, ամբողջական և չափված։</translation>
     </message>
     <message>
       <source>&amp;Projects</source>
@@ -4567,7 +4567,7 @@
     <message>
         <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Դեռ նախագիծ չկա: Ստեղծեք մեկը կամ ամեն ինչ փորձեք վիրտուալ սարքակազմով. այն կոտրում է մի անոթ և լուսանկարում խեցիները:</translation>
+        <translation>Դեռ նախագիծ չկա։ Ստեղծեք մեկը կամ ամեն ինչ փորձեք վիրտուալ սարքակազմով. այն կոտրում է մի անոթ և լուսանկարում բեկորները։</translation>
     </message>
     <message>
         <source>Create project</source>
@@ -4612,7 +4612,7 @@
     <message>
       <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արված է %2 կանգառից %1-ը</translation>
+      <translation>Արված է %2 դիրքից %1-ը</translation>
     </message>
 </context>
 <context>
@@ -4681,17 +4681,17 @@
     <message>
       <source>&amp;Number of sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Խեցաբեկոր %1-ի համարը</translation>
+      <translation>&amp;Բեկոր %1-ի համարը</translation>
     </message>
     <message>
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եթե արդեն համարներ ունեն՝ յուրաքանչյուրը հետևում է իր խեցաբեկորին շրջելիս։ N ստեղնը։</translation>
+      <translation>Եթե արդեն համարներ ունեն՝ յուրաքանչյուրը հետևում է իր բեկորին շրջելիս։ N ստեղնը։</translation>
     </message>
     <message>
       <source>Sherd %1 got no number. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 խեցաբեկորը համար չստացավ. %2</translation>
+      <translation>%1 բեկորը համար չստացավ. %2</translation>
     </message>
 </context>
 <context>
@@ -4724,7 +4724,7 @@
     <message>
       <source>%1, camera %2, position %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, տեսախցիկ %2, կանգառ %3</translation>
+      <translation>%1, տեսախցիկ %2, դիրք %3</translation>
     </message>
 </context>
 <context>
@@ -4805,7 +4805,7 @@
     <message>
         <source>Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; the program&apos;s own masks stay.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Կապույտ՝ դասված է որպես խեցի: Պակասը ներկեք որպես խեցի, սխալը՝ որպես սկուտեղ. ծրագրի դիմակները մնում են:</translation>
+        <translation>Կապույտ՝ դասված է որպես բեկոր։ Պակասը ներկեք որպես բեկոր, սխալը՝ որպես սկավառակ. ծրագրի դիմակները մնում են։</translation>
     </message>
 </context>
 <context>
@@ -5098,37 +5098,37 @@
     <message>
       <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորները դիպչում են կամ գրեթե դիպչում են %1 սկավառակի կենտրոնից. հեռացրեք դրանք իրարից և նորից լուսանկարեք։</translation>
+      <translation>Բեկորները դիպչում են կամ գրեթե դիպչում են %1 սկավառակի կենտրոնից. հեռացրեք դրանք իրարից և վերալուսանկարեք։</translation>
     </message>
     <message>
       <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այն, ինչ ընկած է %1 սկավառակի կենտրոնից, հաշվվել է որպես մեկ, բայց կարող է լինել իրար դիպչող երկու բեկոր. նայեք այնտեղ. եթե այդպես է, հեռացրեք դրանք իրարից և նորից լուսանկարեք։</translation>
+      <translation>Այն, ինչ ընկած է %1 սկավառակի կենտրոնից, հաշվվել է որպես մեկ, բայց կարող է լինել իրար դիպչող երկու բեկոր. նայեք այնտեղ. եթե այդպես է, հեռացրեք դրանք իրարից և վերալուսանկարեք։</translation>
     </message>
     <message>
       <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հակառակ կողմը նման է առջևի կողմին. շրջեք բեկորները և նորից լուսանկարեք։</translation>
+      <translation>Հետևի երեսը նման է առջևի երեսին. շրջեք բեկորները և վերալուսանկարեք։</translation>
     </message>
     <message>
       <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հակառակ կողմի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ ինքներդ համեմատեք պատկերները։</translation>
+      <translation>Հետևի երեսի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ համեմատեք պատկերները։</translation>
     </message>
     <message>
       <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի կողմի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ ինքներդ համեմատեք պատկերները։</translation>
+      <translation>Առջևի երեսի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ համեմատեք պատկերները։</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. սկավառակը դատարկելուց առաջ փնտրեք պակասողը։</translation>
+      <translation>Առջևի երեսը ցույց է տվել %1 բեկոր, հետևի երեսը՝ %2. սկավառակը դատարկելուց առաջ փնտրեք պակասողը։</translation>
     </message>
     <message>
       <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
+      <translation>Առջևի երեսը ցույց է տվել %1 բեկոր, հետևի երեսը՝ %2. ստուգեք՝ մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
     </message>
 </context>
 <context>
@@ -5136,7 +5136,7 @@
     <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգնեցվել է ըստ ցանկության։</translation>
+      <translation>Չեղարկված է։</translation>
     </message>
     <message>
       <source>The camera is not plugged in.</source>
@@ -5271,17 +5271,17 @@
     <message>
       <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս խմբաքանակի արդյունքներն այլևս չկան. նորից հաշվարկեք այն, ապա որոշեք։</translation>
+      <translation>Այս խմբաքանակի արդյունքներն այլևս չկան. վերամշակեք այն, ապա որոշեք։</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. նրա լուսանկարները տարբեր տեսախցիկներից են (%2). յուրաքանչյուր տեսախցիկի տվեք իր անունը, քանի որ նույն անունն ունեցողների համար մեկ օբյեկտիվ է հաշվարկվում։</translation>
+      <translation>Տեսախցիկ %1. նրա լուսանկարները տարբեր տեսախցիկներից են (%2). յուրաքանչյուր տեսախցիկի տվեք իր անունը, քանի որ տեսախցիկի նույն անունն ունեցող լուսանկարներն ունեն օբյեկտիվի մեկ ընդհանուր տրամաչափում։</translation>
     </message>
     <message>
       <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. կիզակետային հեռավորությունը բոլոր լուսանկարներում նույնը չէ (%2). բոլորի համար մեկ օբյեկտիվ է հաշվարկվում, ուստի ամրացրեք խոշորացումը և նորից լուսանկարեք։</translation>
+      <translation>Տեսախցիկ %1. կիզակետային հեռավորությունը բոլոր լուսանկարներում նույնը չէ (%2). բոլորն ունեն օբյեկտիվի մեկ ընդհանուր տրամաչափում, ուստի ամրացրեք խոշորացումը և վերալուսանկարեք։</translation>
     </message>
     <message>
       <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
@@ -5311,7 +5311,7 @@
     <message>
       <source>No photograph of this camera shows the plate's markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս տեսախցիկի ոչ մի լուսանկարում սկավառակի նշանները չեն երևում։</translation>
+      <translation>Այս տեսախցիկի ոչ մի լուսանկարում սկավառակի նշիչները չեն երևում։</translation>
     </message>
     <message>
       <source>No batch folder was given.</source>
@@ -5381,7 +5381,7 @@
     <message>
       <source>Not an archive of a whole project; import it as an export instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա ամբողջ նախագծի արխիվ չէ. կարդացեք այն որպես արտահանում։</translation>
+      <translation>Սա ամբողջ նախագծի արխիվ չէ. ներմուծեք այն որպես արտահանում։</translation>
     </message>
     <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
@@ -5481,7 +5481,7 @@
     <message>
       <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մեկ այլ լուսանկար ունի նույն տեսախցիկն ու կանգառը. այս մեկը բաց է թողնվում։</translation>
+      <translation>Մեկ այլ լուսանկար ունի նույն տեսախցիկն ու դիրքը. այս մեկը բաց է թողնվում։</translation>
     </message>
     <message>
       <source>This photograph is left out.</source>
@@ -5501,7 +5501,7 @@
     <message>
       <source>This file name follows the naming of rig photographs, but most others do not; this photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Անունը կայանքի լուսանկարի է, իսկ մյուսների մեծ մասը՝ ոչ. այս լուսանկարը բաց է թողնվում։</translation>
+      <translation>Անունը սարքակազմի լուսանկարի է, իսկ մյուսների մեծ մասը՝ ոչ. այս լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
       <source>Another photograph has the same name; this one is left out.</source>
@@ -5581,7 +5581,7 @@
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2 բառարանի %1 նշան (%3 px), և դրանց չափը հայտնի չէ, ուստի արդյունքը մասշտաբ չունի։ Չափեք նշանի սև քառակուսու կողմը և նշեք այն --marker-mm-ով։</translation>
+      <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2 բառարանի %1 նշիչ (%3 px), բայց դրանց չափը հայտնի չէ, ուստի արդյունքը մասշտաբ չունի։ Չափեք նշիչի սև քառակուսու կողմը և նշեք այն --marker-mm-ով։</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -5711,7 +5711,7 @@
     <message>
       <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակին պետք են 'dictionary' և 'markers'՝ id-ով և երեքական թվով չորս անկյուններով. 'diameter'-ը, եթե տրված է, թիվ է մմ-ով։</translation>
+      <translation>Սկավառակի ֆայլին պետք են 'dictionary' և 'markers'՝ id-ով և երեքական թվով չորս անկյուններով. 'diameter'-ը, եթե տրված է, թիվ է մմ-ով, 'sheet'-ը՝ թղթի լայնությունն ու բարձրությունը։</translation>
     </message>
     <message>
       <source>The plate file lists no markers.</source>
@@ -5751,7 +5751,7 @@
     <message>
       <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակը սկսվել է %1 տեսախցիկով և %2 կանգառով, ոչ թե %3-ով և %4-ով. նշեք այլ պանակ։</translation>
+      <translation>Խմբաքանակը սկսվել է %1 տեսախցիկով և %2 դիրքով, ոչ թե %3-ով և %4-ով. նշեք այլ պանակ։</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -5791,7 +5791,7 @@
     <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանը չի ասում՝ որտեղ է։</translation>
+      <translation>Պտտվող սեղանը չի հայտնում իր դիրքը։</translation>
     </message>
     <message>
       <source>The turntable rejected a command (error %1): wrong turntable type or bad cable.</source>
@@ -5891,7 +5891,7 @@
     <message>
       <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մեկ նկարման համար եկավ երկու լուսանկար՝ %1 և %2. ամեն պանակին՝ մեկ տեսախցիկ, ամեն կանգառին՝ մեկ լուսանկար։</translation>
+      <translation>Մեկ նկարման համար եկավ երկու լուսանկար՝ %1 և %2. ամեն պանակին՝ մեկ տեսախցիկ, ամեն դիրքին՝ մեկ լուսանկար։</translation>
     </message>
     <message>
       <source>The camera with this serial number is not plugged in; found: %1.</source>
@@ -6056,12 +6056,12 @@
     <message>
       <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'devices' մասը չի կարդացվում. համեմատեք README-ի սարքերի գլխի հետ։</translation>
+      <translation>'devices' մասը չի կարդացվում. համեմատեք docs/devices.md-ի հետ։</translation>
     </message>
     <message>
       <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կանգառների թիվը պետք է լինի 3-ից 99։</translation>
+      <translation>Դիրքերի թիվը պետք է լինի 3-ից 99։</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6071,7 +6071,7 @@
     <message>
       <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կրկնելու %1 նկար չկա. այս երեսն ունի 1-ից %2 կանգառներ և A-ից %3 տեսախցիկներ։</translation>
+      <translation>Կրկնելու %1 նկար չկա. այս երեսն ունի 1-ից %2 դիրքեր և A-ից %3 տեսախցիկներ։</translation>
     </message>
     <message>
       <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
@@ -6086,7 +6086,7 @@
     <message>
       <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1, կանգառ %2. %3 անգամ չհաջողվեց՝ %4։</translation>
+      <translation>Տեսախցիկ %1, դիրք %2. %3 անգամ չհաջողվեց՝ %4։</translation>
     </message>
     <message>
       <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
@@ -6126,32 +6126,32 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'move'-ը պետք է պարունակի {target} կամ {by}։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'move'-ը պետք է պարունակի {target} կամ {by}։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'accepted'-ը պետք է ասի, թե ինչպես է պատասխանում։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'accepted'-ը պետք է ասի, թե ինչպես է պատասխանում։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'query'-ն և 'position'-ը միասին են։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'query'-ն և 'position'-ը միասին են։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'reply_s'-ը պետք է մեծ լինի 0-ից։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'reply_s'-ը պետք է մեծ լինի 0-ից։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. '%1'-ը կանոնավոր արտահայտություն չէ։</translation>
+      <translation>Պտտվող սեղանի բարբառը. '%1'-ը կանոնավոր արտահայտություն չէ։</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի բառերը. 'position'-ին պետք է խումբ՝ անկյան համար։</translation>
+      <translation>Պտտվող սեղանի բարբառը. 'position'-ին պետք է խումբ՝ անկյան համար։</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
@@ -6256,7 +6256,7 @@
     <message>
       <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>նշիչները ցույց են տալիս այս կանգառի անկյունից տարբեր անկյուն</translation>
+      <translation>նշիչները ցույց են տալիս այս դիրքի անկյունից տարբեր անկյուն</translation>
     </message>
     <message>
       <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
@@ -6266,7 +6266,7 @@
     <message>
       <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կանգառը որոշելու համար շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա, կամ պատկերը մշո՞ւշոտ է</translation>
+      <translation>դիրքը որոշելու համար շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա, կամ պատկերը մշո՞ւշոտ է</translation>
     </message>
     <message>
       <source>the camera delivered an earlier photograph again</source>
@@ -6351,7 +6351,7 @@
     <message>
       <source>Sherds with the term '%1': %2; change those first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1» եզրով խեցաբեկորներ՝ %2. նախ փոխեք դրանք։</translation>
+      <translation>«%1» եզրով բեկորներ՝ %2. նախ փոխեք դրանք։</translation>
     </message>
     <message>
       <source>a row of %1 refers to a missing row</source>
@@ -6436,7 +6436,7 @@
     <message>
       <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա սևագիր է՝ կոպիտ լուսանկարներից. վերջնական չափերի համար խմբաքանակը նորից հաշվեք։</translation>
+      <translation>Սա սևագիր է՝ փոքրացված լուսանկարներից. վերջնական չափերի համար խմբաքանակը վերամշակեք։</translation>
     </message>
     <message>
       <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
@@ -6541,7 +6541,7 @@
     <message>
       <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս նախագիծն արվել է ավելի նոր Ostraka-ով (կատալոգի տարբերակ %1, այս ծրագիրը գիտի %2). տեղադրեք այն, ոչինչ չի փոխվել։</translation>
+      <translation>Այս նախագիծն արել է ավելի նոր Ostraka-ն (կատալոգի տարբերակ %1, այս ծրագիրն աջակցում է %2)։ Ոչինչ չի փոխվել։ Տեղադրեք նոր տարբերակը։</translation>
     </message>
     <message>
       <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
@@ -6641,12 +6641,12 @@
     <message>
       <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միացվում է երկու կամ ավելի կտոր։</translation>
+      <translation>Միավորման համար պետք է երկու կամ ավելի կտոր։</translation>
     </message>
     <message>
       <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կտրվում է մեկ կտոր։</translation>
+      <translation>Բաժանման համար պետք է ուղիղ մեկ կտոր։</translation>
     </message>
     <message>
       <source>The name of a person must not be empty.</source>
@@ -7271,7 +7271,7 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս բեկորը դեռ մոդել չունի և չի կարող գծվել. նախ հաշվեք դրա խմբաքանակը։</translation>
+      <translation>Այս բեկորը դեռ մոդել չունի և չի կարող գծվել. նախ մշակեք դրա խմբաքանակը։</translation>
     </message>
     <message>
       <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
@@ -7296,7 +7296,7 @@
     <message>
       <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 բեկորի այս մոդելը կամ պատկերը գրանցվածը չէ. նորից հաշվարկեք նրա %2 խմբաքանակը։</translation>
+      <translation>%1 բեկորի այս մոդելը կամ պատկերը տարբերվում է գրանցվածից. վերամշակեք նրա %2 խմբաքանակը։</translation>
     </message>
     <message>
       <source>%1 is exported in full detail: %2</source>
@@ -7426,7 +7426,7 @@
     <message>
       <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակով դիմակների համար պետք է երեսի առնվազն 3 լուսանկար. նկարեք ավելի շատ կանգառներ։</translation>
+      <translation>Սկավառակով դիմակների համար պետք է երեսի առնվազն 3 լուսանկար. նկարեք ավելի շատ դիրքեր։</translation>
     </message>
     <message>
       <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
@@ -7446,7 +7446,7 @@
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը սկավառակը կանգառներից ոչ մեկում չի ցուցադրում. նորից նկարեք առաջին կանգառում. դիմակներն արվել են առանց դրա</translation>
+      <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը սկավառակը դիրքերից ոչ մեկում չի ցուցադրում. նորից նկարեք առաջին դիրքում. դիմակներն արվել են առանց դրա</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
@@ -7581,12 +7581,12 @@
     <message>
       <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա թեկնածուների աղյուսակ չէ. նորից հաշվարկեք խմբաքանակը, նորից կարվեն միայն դրա զույգերը։</translation>
+      <translation>Սա թեկնածուների աղյուսակ չէ. վերամշակեք խմբաքանակը, նորից կարվեն միայն դրա զույգերը։</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից նորից լուսանկարվել է. նորից որոշեք։</translation>
+      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից վերալուսանկարվել է. նորից որոշեք։</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
@@ -7611,17 +7611,17 @@
     <message>
       <source>Nothing is selected to set aside or reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չի նշվել՝ մի կողմ դնելու կամ կրկին նկարելու համար։</translation>
+      <translation>Ոչինչ չի նշվել՝ մի կողմ դնելու կամ վերալուսանկարելու համար։</translation>
     </message>
     <message>
       <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միացվող կտորները պետք է նույն երեսից լինեն։</translation>
+      <translation>Միավորվող կտորները պետք է նույն երեսից լինեն։</translation>
     </message>
     <message>
       <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կտրելու համար պետք են մեկ կտոր և առնվազն մեկ միլիմետր գիծ։</translation>
+      <translation>Բաժանման համար պետք են մեկ կտոր և առնվազն 1 մմ գիծ։</translation>
     </message>
     <message>
       <source>Nothing is selected to withdraw.</source>
@@ -7666,7 +7666,7 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը կարող է լինել իրար դիպչող երկու բեկոր՝ մյուս երեսի %2-ը և %3-ը. կտրեք այն ստուգման մեջ կամ հեռացրեք դրանք իրարից և նորից լուսանկարեք այդ երեսը։</translation>
+      <translation>%1-ը կարող է լինել իրար դիպչող երկու բեկոր՝ մյուս երեսի %2-ը և %3-ը. բաժանեք այն ստուգման մեջ կամ հեռացրեք դրանք իրարից և վերալուսանկարեք այդ երեսը։</translation>
     </message>
     <message>
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
@@ -7676,7 +7676,7 @@
     <message>
       <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս խմբաքանակը դեռ դիմակներ չունի. նախ թողեք, որ այն հաշվարկվի։</translation>
+      <translation>Այս խմբաքանակը դեռ դիմակներ չունի. նախ մշակեք այն։</translation>
     </message>
     <message>
       <source>This file does not state how well the rig fits.</source>
@@ -7716,12 +7716,12 @@
     <message>
       <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մի զույգ նշում է սկան, որը չկա. ջնջեք այս ֆայլը և նորից սկսեք։</translation>
+      <translation>Զույգը նշում է սկան, որը չկա. ջնջեք այս ֆայլը և վերամշակեք խմբաքանակը։</translation>
     </message>
     <message>
       <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա զույգերի աղյուսակ չէ. ջնջեք այն և նորից սկսեք։</translation>
+      <translation>Սա զույգերի աղյուսակ չէ. ջնջեք այն և վերամշակեք խմբաքանակը։</translation>
     </message>
     <message>
       <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
@@ -7746,12 +7746,12 @@
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի կողմի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշանների եզրերը %1 պիքսել լայն են, ուստի դրա սկաները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և նորից լուսանկարեք այս կողմը։</translation>
+      <translation>Հետևի երեսի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշիչների եզրերը %1 պիքսել լայն են, ուստի դրա սկանները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի կողմի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշանների եզրերը %1 պիքսել լայն են, ուստի դրա սկաները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և նորից լուսանկարեք այս կողմը։</translation>
+      <translation>Առջևի երեսի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշիչների եզրերը %1 պիքսել լայն են, ուստի դրա սկանները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
@@ -7761,12 +7761,12 @@
     <message>
       <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը միացնում է կտորներ, որոնք այլևս չկան. նորից որոշեք։</translation>
+      <translation>%2-ի %1 որոշումը միավորում է կտորներ, որոնք այլևս չկան. նորից որոշեք։</translation>
     </message>
     <message>
       <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը կտրում է կտոր, որը չկա, կամ կտրում է դրա կողքով. նորից որոշեք։</translation>
+      <translation>%2-ի %1 որոշումը բաժանում է կտոր, որը չկա, կամ վրիպում է դրանից. նորից որոշեք։</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
@@ -7776,7 +7776,7 @@
     <message>
       <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարներում նշիչներով սկավառակ չկա, ուստի տեսախցիկները պետք է գտնի %1 ծրագիրը, իսկ այն տեղադրված չէ։</translation>
+      <translation>Լուսանկարներում նշիչներով սկավառակ չկա, ուստի տեսախցիկները պետք է գտնի %1 ծրագիրը, իսկ այն տեղադրված չէ. տեղադրեք այն։</translation>
     </message>
     <message>
       <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
@@ -7786,7 +7786,7 @@
     <message>
       <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փակեք այլ ծրագրեր կամ հաշվարկեք սևագիր։</translation>
+      <translation>Փակեք այլ ծրագրեր կամ մշակեք սևագիր։</translation>
     </message>
     <message>
       <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
@@ -7796,22 +7796,22 @@
     <message>
       <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+      <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 դիրքից սկսած (pos%4) այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+      <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+      <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 դիրքից սկսած (pos%4) այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+      <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
       <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
@@ -7836,7 +7836,7 @@
     <message>
       <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս խմբաքանակի զույգերը դեռ հաշվարկված չեն կամ հաշվարկվել են ավելի հին ծրագրով. նորից հաշվարկեք խմբաքանակը. ամբողջականը պահպանվում է։</translation>
+      <translation>Այս խմբաքանակի զույգերը դեռ մշակված չեն կամ Ostraka-ի ավելի հին տարբերակից են. վերամշակեք խմբաքանակը. ամբողջականը պահպանվում է։</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -7966,12 +7966,12 @@
     <message>
       <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, կրկին լուսանկարեք։</translation>
+      <translation>Բեկոր %1. մակերեսի %2 %-ը ոչ մի տեսախցիկ չի տեսել և լրացված է, նկարում՝ նարնջագույն. եթե դա կարևոր է, վերալուսանկարեք։</translation>
     </message>
     <message>
       <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկոր %1. դրա մոդելն ունի միջանցիկ անցք (%2 մմ²)։ Եթե բեկորն անցք չունի, լուսանկարները չեն ցույց տալիս այդ տեղը. կրկին լուսանկարեք այն։</translation>
+      <translation>Բեկոր %1. դրա մոդելն ունի միջանցիկ անցք (%2 մմ²)։ Եթե բեկորն անցք չունի, լուսանկարները չեն ցույց տալիս այդ տեղը. վերալուսանկարեք այն։</translation>
     </message>
     <message>
       <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
@@ -8006,22 +8006,22 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. այս լուսանկարի վրա ոչ մի բեկոր նշված չէ. այն բաց է թողնվում։</translation>
+      <translation>%1. դիմակն այս լուսանկարի վրա ոչ մի բեկոր չի նշում. այն բաց է թողնվում։</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եթե դրա վրա բեկորներ կան, նորից լուսանկարեք կամ ուղղեք դիմակը։</translation>
+      <translation>Եթե դրա վրա բեկորներ կան, նորից լուսանկարեք կամ խմբագրեք դիմակը։</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորներ նշված են առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+      <translation>Դիմակները բեկորներ են նշում առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորներ նշված են հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+      <translation>Դիմակները բեկորներ են նշում հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8046,7 +8046,7 @@
     <message>
       <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր եզրով։</translation>
+      <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր կոտրվածքով։</translation>
     </message>
     <message>
       <source>%1: The board was not detected; this picture is left out.</source>
@@ -8066,7 +8066,7 @@
     <message>
       <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր կանգառում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
+      <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր դիրքում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
     </message>
     <message>
       <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
@@ -8101,27 +8101,27 @@
     <message>
       <source>The sheet's markers can be read in %1 of %2 photographs of the %3 side; at least 3 are needed. Check that plate.json describes this sheet, that the photographs are not mirrored, and that most of the markers are in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Թերթի նշանները կարդացվում են %3 կողմի %2 լուսանկարներից %1-ում. հարկավոր է առնվազն 3։ Ստուգեք, որ plate.json-ը նկարագրում է այս թերթը, որ լուսանկարները հայելային չեն, և որ նշանների մեծ մասը նկարում է։</translation>
+      <translation>Թերթի նշիչները կարդացվում են %3 երեսի %2 լուսանկարներից %1-ում. հարկավոր է առնվազն 3։ Ստուգեք, որ plate.json-ը նկարագրում է այս թերթը, որ լուսանկարները հայելային չեն, և որ նշիչների մեծ մասը նկարում է։</translation>
     </message>
     <message>
       <source>%1: %2 of the sheet&apos;s markers can be read, too few for a pose; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: կարդացվում է թերթի %2 նշան, շատ քիչ՝ դիրքի համար. բաց է թողնված։</translation>
+      <translation>%1: կարդացվում է թերթի %2 նշիչ, շատ քիչ՝ դիրքի համար. լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
       <source>Photographs that show too few of the sheet&apos;s markers for a pose are left out (%1 and %2 more); check that they show this sheet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բաց են թողնվում լուսանկարներ, որոնք դիրքի համար թերթի շատ քիչ նշաններ են ցույց տալիս (%1 և ևս %2). ստուգեք՝ արդյոք դրանք այս թերթն են ցույց տալիս։</translation>
+      <translation>Բաց են թողնվում լուսանկարներ, որոնք դիրքի համար թերթի շատ քիչ նշիչներ են ցույց տալիս (%1 և ևս %2). ստուգեք՝ արդյոք դրանք այս թերթն են ցույց տալիս։</translation>
     </message>
     <message>
       <source>%1: most of the sheet&apos;s markers are not where the other photographs place them; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. թերթի նշանների մեծ մասը դրանում այլ տեղում է, քան ցույց են տալիս մյուս լուսանկարները. այն բաց է թողնվում։</translation>
+      <translation>%1. թերթի նշիչների մեծ մասն այնտեղ չէ, որտեղ դրանք տեսնում են մյուս լուսանկարները. լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
       <source>Only one side was photographed: its %1 scans are open surfaces without a back; they are in 'unpaired'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարվել է միայն մեկ կողմը. դրա %1 սկանները բաց մակերեսներ են՝ առանց հակառակ կողմի. դրանք 'unpaired'-ում են։</translation>
+      <translation>Լուսանկարվել է միայն մեկ երեսը. դրա %1 սկանները բաց մակերեսներ են՝ առանց հետևի երեսի. դրանք 'unpaired'-ում են։</translation>
     </message>
     <message>
       <source>plate.json is missing, so the plate&apos;s markers cannot be used; copy the file that &apos;ostraka plate&apos; wrote with the plate into this folder.</source>
@@ -8166,7 +8166,7 @@
     <message>
       <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. դրա %2 նշիչներից ոչ մեկն այնտեղ չէ, որտեղ այս տեսախցիկը դրանք տեսնում է այս կանգառում։</translation>
+      <translation>%1. դրա %2 նշիչներից ոչ մեկն այնտեղ չէ, որտեղ այս տեսախցիկը դրանք տեսնում է այս դիրքում։</translation>
     </message>
     <message>
       <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
@@ -8176,7 +8176,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. դրա վրա ոչ մի նշիչ չի երևում. այս կանգառը ցո՞ւյց է տալիս։ Եթե ոչ, նորից լուսանկարեք։</translation>
+      <translation>%1. դրա վրա ոչ մի նշիչ չի երևում. այս դիրքը ցո՞ւյց է տալիս։ Եթե ոչ, նորից լուսանկարեք։</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
@@ -8191,12 +8191,12 @@
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տեսախցիկը %2 կանգառում տեսնում է սկավառակի վեցից քիչ նշիչ. ստուգեք այնտեղի լույսն ու ֆոկուսը, և որ նշիչների վրա ոչինչ դրված չէ։</translation>
+      <translation>%1 տեսախցիկը %2 դիրքում տեսնում է սկավառակի վեցից քիչ նշիչ. ստուգեք այնտեղի լույսն ու ֆոկուսը, և որ նշիչների վրա ոչինչ դրված չէ։</translation>
     </message>
     <message>
       <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարվել է միայն %1 կանգառ. լրիվ պտույտի վրա արեք առնվազն չորսը, որ առանցքը գտնվի։</translation>
+      <translation>Լուսանկարվել է միայն %1 դիրք. լրիվ պտույտի վրա արեք առնվազն չորսը, որ առանցքը գտնվի։</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8221,7 +8221,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լավ է. օբյեկտիվները, տեղերն ու մասշտաբը որոշված են։</translation>
+      <translation>Լավ է. օբյեկտիվները, տեսախցիկների դիրքերն ու մասշտաբը որոշված են։</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
@@ -8371,7 +8371,7 @@
     <message>
       <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարեք նաև սկավառակը՝ իր նշիչներով. յուրաքանչյուր տեսախցիկի և կանգառի համար մեկ պատկեր դրեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ) plate.json-ի կողքին, տախտակի պատկերները՝ 'calib'-ի մեջ։</translation>
+      <translation>Լուսանկարեք նաև սկավառակը՝ իր նշիչներով. յուրաքանչյուր տեսախցիկի և դիրքի համար մեկ պատկեր դրեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ) plate.json-ի կողքին, տախտակի պատկերները՝ 'calib'-ի մեջ։</translation>
     </message>
     <message>
       <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
@@ -8641,12 +8641,12 @@
     <message>
       <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 մմ փշուրը x %2, y %3 մմ տեղում մի կողմ է թողնվել. եթե բեկոր է, լուսանկարեք այն առանձին։</translation>
+      <translation>%1 մմ փշուրը x %2, y %3 մմ տեղում բաց է թողնվել. եթե բեկոր է, լուսանկարեք այն առանձին։</translation>
     </message>
     <message>
       <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ինչ-որ հարթ բան x %1, y %2 մմ տեղում մի կողմ է թողնվել. կարող է լինել նշիչ կամ կեղտ սկավառակի վրա։</translation>
+      <translation>Հարթ առարկան x %1, y %2 մմ տեղում բաց է թողնվել. կարող է լինել նշիչ կամ կեղտ սկավառակի վրա։</translation>
     </message>
     <message>
       <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
@@ -8751,7 +8751,7 @@
     <message>
       <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սարքակազմին պետք են տեսախցիկ և առնվազն չորս կանգառ. նորից տրամաչափեք այն։</translation>
+      <translation>Սարքակազմին պետք են տեսախցիկ և առնվազն չորս դիրք. նորից տրամաչափեք այն։</translation>
     </message>
     <message>
       <source>The virtual camera has no setting %1 of %2.</source>
@@ -8766,12 +8766,12 @@
     <message>
       <source>COLMAP cannot align these photographs; its output is in this file. Check that all show the same sherds with large overlap, or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>COLMAP-ը չի գտնում, թե ինչպես են այս լուսանկարները միմյանց համապատասխանում. նրա հաղորդագրություններն այս ֆայլում են։ Ստուգեք՝ արդյոք բոլորը նույն բեկորներն են ցույց տալիս մեծ համընկնումով, կամ լուսանկարեք նշաններով սկուտեղի վրա։</translation>
+      <translation>COLMAP-ը չի կարող այս լուսանկարները համապատասխանեցնել. նրա ելքն այս ֆայլում է։ Ստուգեք՝ արդյոք բոլորը նույն բեկորներն են ցույց տալիս մեծ համընկնումով, կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
     </message>
     <message>
       <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս մոդելն այլևս չկա. նորից հաշվարկեք նրա խմբաքանակը։</translation>
+      <translation>Այս մոդելը չկա. վերամշակեք նրա խմբաքանակը։</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8846,12 +8846,12 @@
     <message>
       <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս խմբաքանակը լուսանկարվում է. կհաշվարկվի, երբ դա ավարտվի։</translation>
+      <translation>Այս խմբաքանակը դեռ լուսանկարվում է. դրանից հետո կմշակվի։</translation>
     </message>
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն մուտքագրվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
+      <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն ներմուծվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
     </message>
     <message>
       <source>'%1' can be read as %2 or as %3; write one of the two.</source>
@@ -8866,22 +8866,22 @@
     <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակը մինչև վերջ հաշվարկված չէ. թողեք, որ հերթը հաշվարկի այն, ապա դրա զույգերը կարելի կլինի դիտել։</translation>
+      <translation>Խմբաքանակը լրիվ մշակված չէ. թողեք, որ հերթը մշակի այն, ապա ստուգեք դրա զույգերը։</translation>
     </message>
     <message>
       <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը նորից է նկարվել իր դիմակը շտկելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Նայեք դրա դիմակը։</translation>
+      <translation>%1-ը նորից է լուսանկարվել իր դիմակը խմբագրելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Ստուգեք դրա դիմակը։</translation>
     </message>
     <message>
       <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
+      <translation>Չներմուծված տողերի հետ կցումները բաց են թողնվել. %1. ուղղեք այդ տողերը, ապա կրկին ներմուծեք աղյուսակը։</translation>
     </message>
     <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ հաշվարկված չէ։</translation>
+      <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ մշակված չէ։</translation>
     </message>
     <message>
       <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
@@ -8946,7 +8946,7 @@
     <message>
       <source>Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; create the plate file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակի %1 նշիչը հայելային է. վերևից նայելիս անկյունները գնում են ժամսլաքին հակառակ. սկավառակի ֆայլը նորից տպեք։</translation>
+      <translation>Սկավառակի %1 նշիչը հայելային է. վերևից նայելիս անկյունները գնում են ժամսլաքին հակառակ. սկավառակի ֆայլը նորից ստեղծեք։</translation>
     </message>
     <message>
       <source>Marker %1 of the plate is not convex; list its corners in order along its edge.</source>
@@ -8986,7 +8986,7 @@
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չմուտքագրվեց։</translation>
+      <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չի ներմուծվել։</translation>
     </message>
     <message>
       <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
@@ -9016,12 +9016,12 @@
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the front side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի կողմում բաց է թողնվել մի կտոր՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
+      <translation>Առջևի երեսում բաց է թողնվել մի առարկա՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
     </message>
     <message>
       <source>An object of %1 % of the typical sherd&apos;s length was left out of the back side; without a scale, it may be a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի կողմում բաց է թողնվել մի կտոր՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
+      <translation>Հետևի երեսում բաց է թողնվել մի առարկա՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
     </message>
     <message>
       <source>If it is one, photograph it alone.</source>
@@ -9101,7 +9101,7 @@
     <message>
         <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Աղյուսակին պետք է խեցաբեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
+        <translation>Աղյուսակին պետք է բեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
     </message>
     <message>
         <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
@@ -9163,7 +9163,7 @@
     <message>
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>խեցաբեկորի մասին ոչինչ չի ասում</translation>
+        <translation>բեկորի մասին ոչինչ չի ասում</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>
@@ -9307,7 +9307,7 @@
     <message>
       <source>Side of a marker&apos;s &amp;black square</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նշանի &amp;սև քառակուսու կողմը</translation>
+      <translation>Նշիչի &amp;սև քառակուսու կողմը</translation>
     </message>
     <message>
       <source>Unknown</source>
@@ -9327,7 +9327,7 @@
     <message>
       <source>No sheet file (plate.json) and no marker size: the result has no scale.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ո՛չ թերթի ֆայլ (plate.json), ո՛չ նշանի չափ. արդյունքը մասշտաբ չունի։</translation>
+      <translation>Ո՛չ թերթի ֆայլ (plate.json), ո՛չ նշիչի չափ. արդյունքը մասշտաբ չունի։</translation>
     </message>
     <message>
       <source>Sheet under the sherds</source>

@@ -54,7 +54,7 @@
     <message>
       <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti hesaplanırken çiftlere karar verildi ya da maskeler düzeltildi; bunlar için yeniden hesaplayın.</translation>
+      <translation>Parti işlenirken eşlere karar verildi ya da maskeler düzenlendi; bunlar için yeniden işleyin.</translation>
     </message>
 </context>
 <context>
@@ -328,7 +328,7 @@
     <message>
       <source>ready (calibrated today)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>hazır (bugün ayarlandı)</translation>
+      <translation>hazır (bugün kalibre edildi)</translation>
     </message>
     <message numerus="yes">
       <source>ready (%n day(s) old)</source>
@@ -408,7 +408,7 @@
     <message>
       <source>more candidates for doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kuşkulu çiftler için başka adaylar</translation>
+      <translation>kuşkulu eşler için başka adaylar</translation>
     </message>
 </context>
 <context>
@@ -692,12 +692,12 @@
     <message>
         <source>Merged with %1 by %2. It is one fragment once the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%2 tarafından %1 ile birleştirildi. Parti yeniden işlenince tek parça olur.</translation>
+        <translation>%2 tarafından %1 ile birleştirildi. Parti yeniden işlenince tek kırık parça olur.</translation>
     </message>
     <message>
         <source>Split by %1. Its fragments appear when the batch is reprocessed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 tarafından bölündü. Parçaları parti yeniden işlenince görünür.</translation>
+        <translation>%1 tarafından bölündü. Kırık parçaları parti yeniden işlenince görünür.</translation>
     </message>
     <message>
         <source>Merged</source>
@@ -772,7 +772,7 @@
     <message>
         <source>Set aside</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Kenara kondu</translation>
+        <translation>Kenara ayrıldı</translation>
     </message>
     <message>
         <source>Reshoot</source>
@@ -832,22 +832,22 @@
     <message>
       <source>The fracture barely fixes the position: uncertain by %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar konumu pek belirlemiyor: belirsizlik %1.</translation>
+      <translation>Kırık konumu pek belirlemiyor: belirsizlik %1.</translation>
     </message>
     <message>
       <source>A position %1 along the contour fits almost as well.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar boyunca %1 ötedeki bir yer neredeyse aynı ölçüde uyuyor.</translation>
+      <translation>Dış çizgi boyunca %1 ötedeki bir konum neredeyse aynı ölçüde uyuyor.</translation>
     </message>
     <message>
       <source>The fractures cannot be compared; only the outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
+      <translation>Kırıklar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
     </message>
     <message>
       <source>The fractures barely touch: %1 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar pek buluşmuyor: buluşan pay %1.</translation>
+      <translation>Kırıklar pek değmiyor: değen pay %1.</translation>
     </message>
     <message>
       <source>refined</source>
@@ -857,12 +857,12 @@
     <message>
       <source>Turned by hand: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elle döndürüldü: kenarların buluşan payı %1.</translation>
+      <translation>Elle döndürüldü: kırıkların değen payı %1.</translation>
     </message>
     <message>
       <source>Trying another start point: %1 of the fractures touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka bir başlangıç noktası deneniyor: kenarların buluşan payı %1.</translation>
+      <translation>Başka bir başlangıç noktası deneniyor: kırıkların değen payı %1.</translation>
     </message>
     <message>
       <source>Trying another start point.</source>
@@ -872,12 +872,12 @@
     <message>
       <source>Refined by the fractures: %1 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlarla oturtuldu: buluşan pay %1.</translation>
+      <translation>Kırıklarla oturtuldu: değen pay %1.</translation>
     </message>
     <message>
       <source>Refined by the fractures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlarla oturtuldu.</translation>
+      <translation>Kırıklarla oturtuldu.</translation>
     </message>
     <message>
       <source>Trying %1: %2.</source>
@@ -887,12 +887,12 @@
     <message>
       <source>Trying %1: %2, fractures %3 apart.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 deneniyor: %2, kenar aralığı %3.</translation>
+      <translation>%1 deneniyor: %2, kırık aralığı %3.</translation>
     </message>
     <message>
       <source>Trying %1: %2; its fractures do not touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 deneniyor: %2; kenarlar buluşmuyor.</translation>
+      <translation>%1 deneniyor: %2; kırıklar değmiyor.</translation>
     </message>
     <message>
       <source>sherd %1 of %2</source>
@@ -913,7 +913,7 @@
     <message>
       <source>Import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 alınıyor</translation>
+      <translation>%1 içe aktarılıyor</translation>
     </message>
     <message>
       <source>The copy cannot be put in its place: %1.</source>
@@ -982,7 +982,7 @@
     <message>
       <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu parti için kameralar yeniden bulundu; düzeneği yeniden ayarlayın (C).</translation>
+      <translation>Bu parti için kameralar yeniden bulundu; düzeneği yeniden kalibre edin (C).</translation>
     </message>
     <message>
       <source>You set it aside. Its photographs are kept; R takes it up again.</source>
@@ -1009,7 +1009,7 @@
     <message>
         <source>Set aside</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Kenara kondu</translation>
+        <translation>Kenara ayrıldı</translation>
     </message>
     <message>
         <source>Capturing</source>
@@ -1102,13 +1102,13 @@
       <source>%1 is ready: %n sherd(s).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1 hesaplandı: %n parça.</numerusform>
+        <numerusform>%1 hazır: %n parça.</numerusform>
       </translation>
     </message>
     <message>
       <source>You cancelled it. Finished stages are saved.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Siz durdurdunuz. Şimdiye kadar hesaplanan duruyor.</translation>
+      <translation>Siz iptal ettiniz. Biten aşamalar kaydedildi.</translation>
     </message>
     <message>
       <source>You removed it from the queue.</source>
@@ -1125,12 +1125,12 @@
     <message>
       <source>Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 çarpılmış: işaretleri %2 px kaçırıyor, ayarlandığı yerden %3 mm uzakta.</translation>
+      <translation>Kamera %1 çarpılmış: işaretleri %2 px kaçırıyor, kalibre edildiği yerden %3 mm uzakta.</translation>
     </message>
     <message>
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sonuna varmadı; yeniden hesaplayın.</translation>
+      <translation>Yarıda kesildi; yeniden işleyin.</translation>
     </message>
 </context>
 <context>
@@ -1252,7 +1252,7 @@
     <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durdur ve geri al</translation>
+      <translation>İptal et ve geri al</translation>
     </message>
 </context>
 <context>
@@ -1324,7 +1324,7 @@
       <source>%1: %n file(s) imported; it is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1: %n dosya alındı; sırada.</numerusform>
+        <numerusform>%1: %n dosya içe aktarıldı; sırada.</numerusform>
       </translation>
     </message>
     <message>
@@ -1335,12 +1335,12 @@
     <message>
       <source>Import photographs…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğraf al…</translation>
+      <translation>Fotoğrafları içe aktar…</translation>
     </message>
     <message>
       <source>Import scans…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tarama al…</translation>
+      <translation>Taramaları içe aktar…</translation>
     </message>
     <message>
       <source>Camera %1</source>
@@ -1375,12 +1375,12 @@
     <message>
       <source>This project photographs with no calibrated rig of its own.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu proje kendine ait ayarlanmış bir düzenekle çekim yapmıyor.</translation>
+      <translation>Bu proje kendine ait kalibre edilmiş bir düzenekle çekim yapmıyor.</translation>
     </message>
     <message>
       <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Düzenek %1 ile ayarlandı; önceki ayar %2 olarak saklandı.</translation>
+      <translation>Düzenek %1 ile kalibre edildi; önceki kalibrasyon %2 olarak saklandı.</translation>
     </message>
     <message>
       <source>%1 has these files already; nothing was imported.</source>
@@ -1395,12 +1395,12 @@
     <message>
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partiyi kenara koy</translation>
+      <translation>Bu partiyi kenara ayır</translation>
     </message>
     <message>
       <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey alınmadı. Hepsini almak için tümünü içe aktarın ve kuyrukta %1 partisini kenara koyun.</translation>
+      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey içe aktarılmadı. Hepsini almak için tümünü içe aktarın ve sırada %1 partisini kenara ayırın.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1450,7 +1450,7 @@
     <message>
       <source>Import cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alma durduruldu; geride bir şey kalmadı.</translation>
+      <translation>İçe aktarma iptal edildi; geride bir şey kalmadı.</translation>
     </message>
     <message>
       <source>Import anyway</source>
@@ -1766,7 +1766,7 @@
     <message>
       <source>Camera %1 at position %2: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1, durak %2: %3</translation>
+      <translation>Kamera %1, konum %2: %3</translation>
     </message>
     <message>
       <source>Check the plate before you clear it</source>
@@ -1791,7 +1791,7 @@
     <message>
       <source>Accept and queue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Doğru: sıraya al</translation>
+      <translation>Kabul et ve sıraya koy</translation>
     </message>
     <message numerus="yes">
       <source>%n photograph(s) saved</source>
@@ -1813,7 +1813,7 @@
     <message>
       <source>Release camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaüstüne bıraktır</translation>
+      <translation>Kamerayı serbest bırak</translation>
     </message>
     <message>
       <source>Markers %1 of %2, %3 needed</source>
@@ -1823,12 +1823,12 @@
     <message>
       <source>Its sherds are in the review (Ctrl+3): check them while they still lie here</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçaları incelemede (Ctrl+3): hâlâ buradayken bakın</translation>
+      <translation>Parçaları gözden geçirmede (Ctrl+3): hâlâ buradayken bakın</translation>
     </message>
     <message>
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Tabla duruyor. Kaydedilen fotoğraflar korunur.</translation>
+        <translation>Döner masa duruyor. Kaydedilen fotoğraflar korunur.</translation>
     </message>
 </context>
 <context>
@@ -1888,12 +1888,12 @@
     <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 alımıyla gelen değişiklikler</translation>
+      <translation>%1 içe aktarımıyla gelen değişiklikler</translation>
     </message>
     <message>
       <source>Imported %1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 alındı: %2</translation>
+      <translation>%1 içe aktarıldı: %2</translation>
     </message>
     <message>
       <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
@@ -1928,12 +1928,12 @@
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al</translation>
+      <translation>İçe aktar</translation>
     </message>
     <message>
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 alımı %3 satırdan %2 satır sonra kesildi; bunlar tamdır. Kalanı için yeniden alın.</translation>
+      <translation>%1 içe aktarımı %3 satırdan %2 satır sonra kesildi; bunlar tamdır. Kalanı için yeniden içe aktarın.</translation>
     </message>
     <message>
       <source>Choose the sherds that are to get numbers.</source>
@@ -1988,17 +1988,17 @@
     <message>
       <source>Import…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al …</translation>
+      <translation>İçe aktar …</translation>
     </message>
     <message>
       <source>Dismiss</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bunu bir daha bildirme</translation>
+      <translation>Kapat</translation>
     </message>
     <message>
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Evet, geçersiz</translation>
+        <translation>Parçayı geçersiz kıl</translation>
     </message>
 </context>
 <context>
@@ -2148,22 +2148,22 @@
     <message>
       <source>Shaded form</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Biçimin ışık ve gölgesi</translation>
+      <translation>Gölgeli biçim</translation>
     </message>
     <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bölümlerin dediği gibi ya da olası olduğu gibi</translation>
+      <translation>Otomatik</translation>
     </message>
     <message>
       <source>Rim sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağız parçasıdır</translation>
+      <translation>Ağız parçası</translation>
     </message>
     <message>
       <source>No rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağız parçası değildir</translation>
+      <translation>Ağız yok</translation>
     </message>
     <message>
       <source>Save…</source>
@@ -2188,7 +2188,7 @@
     <message>
       <source>Cancelled. Nothing was drawn.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; hiçbir şey çizilmedi.</translation>
+      <translation>İptal edildi. Hiçbir şey çizilmedi.</translation>
     </message>
     <message numerus="yes">
       <source>Drawing %n sherd(s)…</source>
@@ -2273,7 +2273,7 @@
     <message>
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; geride bir şey kalmadı.</translation>
+      <translation>İptal edildi. Geride bir şey kalmadı.</translation>
     </message>
 </context>
 <context>
@@ -2458,7 +2458,7 @@
     <message>
       <source>Folder for the export</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Klasör nerede olsun?</translation>
+      <translation>Dışa aktarma klasörü</translation>
     </message>
     <message>
       <source>fit to A4</source>
@@ -2617,7 +2617,7 @@
     <message>
       <source>Import into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kataloğa al</translation>
+      <translation>Kataloğa aktar</translation>
     </message>
     <message>
       <source>Make sites, trenches, contexts and bags that are not there yet</source>
@@ -2627,7 +2627,7 @@
     <message>
       <source>Progress of the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alımın ilerlemesi</translation>
+      <translation>İçe aktarmanın ilerlemesi</translation>
     </message>
     <message>
       <source>Which table?</source>
@@ -2771,7 +2771,7 @@
     <message>
       <source>Imported: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Girildi: %1</translation>
+      <translation>İçe aktarıldı: %1</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -2782,7 +2782,7 @@
       <source>Import %n row(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n satırı gir</numerusform>
+        <numerusform>%n satırı içe aktar</numerusform>
       </translation>
     </message>
 </context>
@@ -2796,12 +2796,12 @@
     <message>
       <source>Preview of an import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alımın önizlemesi</translation>
+      <translation>İçe aktarmanın önizlemesi</translation>
     </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al</translation>
+      <translation>İçe aktar</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
@@ -2818,13 +2818,13 @@
     <message>
       <source>Cancelled. Nothing was imported.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; hiçbir şey girilmedi.</translation>
+      <translation>İptal edildi. Hiçbir şey içe aktarılmadı.</translation>
     </message>
     <message numerus="yes">
       <source>Cancelled: %n row(s) were not imported. Import the table again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Durduruldu: %n satır girilmedi. Kalanı için tabloyu yeniden alın.</numerusform>
+        <numerusform>İptal edildi: %n satır içe aktarılmadı. Kalanı için tabloyu yeniden içe aktarın.</numerusform>
       </translation>
     </message>
 </context>
@@ -2961,7 +2961,7 @@
     <message>
       <source>Queue: editing masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kuyruk: maskeleri düzeltme</translation>
+      <translation>Sıra: maskeleri düzenleme</translation>
     </message>
     <message>
       <source>%1 (read-only)</source>
@@ -3034,7 +3034,7 @@
     <message>
       <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz torba yok: çekimde birini yazın ya da bir kontekst tablosu alın.</translation>
+      <translation>Henüz torba yok: çekimde birini yazın ya da bir kontekst tablosu içe aktarın.</translation>
     </message>
     <message numerus="yes">
       <source>%n label(s) are sent to the printer.</source>
@@ -3301,7 +3301,7 @@
     <message>
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yalnızca denenen artık yok: çiftleri o zamandan beri kapatıldı.</translation>
+      <translation>Yalnızca denenen artık yok: eşleri o zamandan beri kapatıldı.</translation>
     </message>
     <message>
         <source>reshooting %1</source>
@@ -3321,22 +3321,22 @@
     <message>
       <source>The fractures do not touch here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar burada buluşmuyor.</translation>
+      <translation>Kırıklar burada değmiyor.</translation>
     </message>
     <message>
       <source>Fractures %1 apart, %2 of them touch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenar aralığı %1, buluşan pay %2.</translation>
+      <translation>Kırık aralığı %1, değen pay %2.</translation>
     </message>
     <message>
       <source>Turned by hand; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elle döndürüldü; B kenarların oturtmasını sağlar.</translation>
+      <translation>Elle döndürüldü; B oturtmayı iyileştirir.</translation>
     </message>
     <message>
       <source>Start point %1; B refines the fit.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başlangıç noktası %1; B kenarların oturtmasını sağlar.</translation>
+      <translation>Başlangıç noktası %1; B oturtmayı iyileştirir.</translation>
     </message>
     <message>
       <source>One of the two has no back to merge.</source>
@@ -3346,12 +3346,12 @@
     <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kenarlarla oturtma</translation>
+      <translation>oturtmayı iyileştirme</translation>
     </message>
     <message>
       <source>This pair has no closed model yet. Reprocess the batch to make it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu eşin henüz kapalı modeli yok; parti hesaplanınca yapılır.</translation>
+      <translation>Bu eşin henüz kapalı modeli yok. Oluşturmak için partiyi yeniden işleyin.</translation>
     </message>
     <message>
       <source>This back has no partner.</source>
@@ -3361,7 +3361,7 @@
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Adınızla kaydedildi; ama %1 ile %2 kenarları pek buluşmuyor: buluşan pay %3.</translation>
+      <translation>Adınızla kaydedildi; ama %1 ile %2 kırıkları pek değmiyor: değen pay %3.</translation>
     </message>
 </context>
 <context>
@@ -3557,7 +3557,7 @@
     <message>
         <source>Recalibrate rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Yeniden kalibre et</translation>
+        <translation>Düzeneği yeniden kalibre et</translation>
     </message>
     <message>
         <source>What you photograph or import is processed here, one batch after the other, while you go on working.</source>
@@ -3587,7 +3587,7 @@
     <message>
         <source>Set aside</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Kenara koy</translation>
+        <translation>Kenara ayır</translation>
     </message>
     <message>
         <source>Cancel %1?</source>
@@ -3625,7 +3625,7 @@
     <message>
       <source>Screens</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İstasyonlar</translation>
+      <translation>Ekranlar</translation>
     </message>
 </context>
 <context>
@@ -3778,7 +3778,7 @@
     <message>
         <source>Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bir parçanın iki kırığını birleştir: sonra öbür kartı seçin (J ön yüzler, Shift+J arka yüzler)</translation>
+        <translation>Bir parçanın iki kırık parçasını birleştir: sonra öbür kartı seçin (J ön yüzler, Shift+J arka yüzler)</translation>
     </message>
     <message>
         <source>Merge backs</source>
@@ -3793,12 +3793,12 @@
     <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar karşılaştırılıyor … Esc durdurur.</translation>
+      <translation>Kırıklar karşılaştırılıyor … Esc durdurur.</translation>
     </message>
     <message>
       <source>Refining the fit, fracture gap %1. Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar oturuyor: %1. Esc durdurur.</translation>
+      <translation>Oturtma iyileştiriliyor, kırık aralığı %1. Esc durdurur.</translation>
     </message>
 </context>
 <context>
@@ -3831,7 +3831,7 @@
     <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İnceleme</translation>
+      <translation>Gözden geçirme</translation>
     </message>
     <message>
       <source>Models of %1</source>
@@ -3846,17 +3846,17 @@
     <message>
         <source>Reprocesses the pairs that were decided differently</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Farklı karar verilen çiftleri yeniden işler</translation>
+        <translation>Farklı karar verilen eşleri yeniden işler</translation>
     </message>
     <message>
         <source>No pairs to review yet</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Henüz gözden geçirilecek çift yok</translation>
+        <translation>Henüz gözden geçirilecek eş yok</translation>
     </message>
     <message>
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bir parti çekin ya da içe aktarın. Çiftleri işlenince burada görünür.</translation>
+        <translation>Bir parti çekin ya da içe aktarın. Eşleri işlenince burada görünür.</translation>
     </message>
     <message>
         <source>Capture a batch</source>
@@ -3871,17 +3871,17 @@
     <message>
         <source>%1 was reshot as %2 in %3 and now has two records. Void one of them in the catalogue, or set the fragment aside here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi iki kaydı var. Katalogda birini geçersiz kılın ya da parçayı burada kenara koyun.</translation>
+        <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi iki kaydı var. Katalogda birini geçersiz kılın ya da kırık parçayı burada kenara ayırın.</translation>
     </message>
     <message>
       <source>%1 is queued; only what changed is reprocessed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hesaplanmayı bekliyor; yalnız değişenler yeniden yapılır.</translation>
+      <translation>%1 sırada; yalnız değişenler yeniden işlenir.</translation>
     </message>
     <message>
       <source>Saved. Pairs of the new fragments appear after reprocessing.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Yeni kırıkların eşleri hesaplanınca gelir.</translation>
+      <translation>Kaydedildi. Yeni kırık parçaların eşleri yeniden işlendikten sonra görünür.</translation>
     </message>
     <message>
       <source>Undone. The history keeps both.</source>
@@ -3891,13 +3891,13 @@
     <message>
       <source>No pairs to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir eşe bakmanız gerekmiyor</translation>
+      <translation>Gözden geçirilecek eş yok</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) to review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%n eşe bakmanız gerekiyor</numerusform>
+        <numerusform>Gözden geçirilecek %n eş</numerusform>
       </translation>
     </message>
     <message>
@@ -3908,12 +3908,12 @@
     <message>
       <source>Saved. After reprocessing, the merged sherd has no number, and %1 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Hesaplanınca birleşen parçanın numarası olmayacak, %1 ise parçasız kalacak. Geri alma onları yeniden ayırır.</translation>
+      <translation>Kaydedildi. Yeniden işlenince birleşen parçanın numarası olmaz, %1 numarasının da kırık parçası olmaz. Geri alma onları yeniden ayırır.</translation>
     </message>
     <message>
       <source>Saved. After reprocessing, the merged sherd keeps the number %1, and %2 has no fragment. Undo separates them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Hesaplanınca birleşen parça %1 numarasını korur, %2 ise parçasız kalır. Geri alma onları yeniden ayırır.</translation>
+      <translation>Kaydedildi. Yeniden işlenince birleşen parça %1 numarasını korur, %2 numarasının kırık parçası olmaz. Geri alma onları yeniden ayırır.</translation>
     </message>
     <message>
       <source>%1 has no scale: no length shown here is in millimetres.</source>
@@ -3923,7 +3923,7 @@
     <message>
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kaydedildi. Hesaplanınca %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
+      <translation>Kaydedildi. Yeniden işlenince %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
     </message>
 </context>
 <context>
@@ -3956,12 +3956,12 @@
     <message>
       <source>Import photographs…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğraf al…</translation>
+      <translation>Fotoğrafları içe aktar…</translation>
     </message>
     <message>
       <source>Import scans…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tarama al…</translation>
+      <translation>Taramaları içe aktar…</translation>
     </message>
     <message>
       <source>The virtual rig</source>
@@ -4355,7 +4355,7 @@
     <message>
       <source>Cancelled. Nothing was changed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durduruldu; hiçbir şey değişmedi.</translation>
+      <translation>İptal edildi. Hiçbir şey değiştirilmedi.</translation>
     </message>
 </context>
 <context>
@@ -4566,7 +4566,7 @@
     <message>
       <source>%1 of %2 positions done</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 duraktan %1 tamam</translation>
+      <translation>%2 konumdan %1 tamam</translation>
     </message>
 </context>
 <context>
@@ -4678,7 +4678,7 @@
     <message>
       <source>%1, camera %2, position %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, kamera %2, durak %3</translation>
+      <translation>%1, kamera %2, konum %3</translation>
     </message>
 </context>
 <context>
@@ -4815,7 +4815,7 @@
       <source>and in %n more context(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>ve %n bağlamda daha</numerusform>
+        <numerusform>ve %n kontekstte daha</numerusform>
       </translation>
     </message>
     <message>
@@ -4978,7 +4978,7 @@
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ile ayarlama</translation>
+      <translation>%1 ile kalibrasyon</translation>
     </message>
 </context>
 <context>
@@ -4986,12 +4986,12 @@
     <message>
       <source>How far the import is</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Almanın ilerlemesi</translation>
+      <translation>İçe aktarmanın ilerlemesi</translation>
     </message>
     <message>
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Almayı durdur</translation>
+      <translation>İçe aktarmayı durdur</translation>
     </message>
 </context>
 <context>
@@ -5060,7 +5060,7 @@
     <message>
       <source>The back looks like the front: turn the sherds over and reshoot them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüz ön yüze benziyor: parçaları çevirin ve yeniden fotoğraflayın.</translation>
+      <translation>Arka yüz ön yüze benziyor: parçaları çevirin ve yeniden çekin.</translation>
     </message>
     <message>
       <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
@@ -5088,7 +5088,7 @@
     <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İstek üzerine durduruldu.</translation>
+      <translation>İptal edildi.</translation>
     </message>
     <message>
       <source>The camera is not plugged in.</source>
@@ -5223,17 +5223,17 @@
     <message>
       <source>The results of this batch no longer exist; reprocess it, then decide.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partinin sonuçları artık yok; yeniden hesaplayın, sonra karar verin.</translation>
+      <translation>Bu partinin sonuçları artık yok; yeniden işleyin, sonra karar verin.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, because photographs with the same camera name share one lens calibration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: fotoğrafları farklı kameralardan geliyor (%2); her kameraya kendi adını verin, çünkü aynı adı taşıyanların hepsi için tek bir mercek hesaplanır.</translation>
+      <translation>Kamera %1: fotoğrafları farklı kameralardan geliyor (%2); her kameraya kendi adını verin, çünkü aynı kamera adını taşıyan fotoğraflar tek bir objektif kalibrasyonunu paylaşır.</translation>
     </message>
     <message>
       <source>Camera %1: its focal length varies between photographs (%2); all share one lens calibration, so fix the zoom and reshoot.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı bütün fotoğraflarda aynı değil (%2); hepsi için tek bir mercek hesaplanır, bu yüzden zumu sabitleyip yeniden çekin.</translation>
+      <translation>Kamera %1: odak uzaklığı bütün fotoğraflarda aynı değil (%2); hepsi tek bir objektif kalibrasyonunu paylaşır, bu yüzden zumu sabitleyip yeniden çekin.</translation>
     </message>
     <message>
       <source>Camera %1: its aperture varies between photographs (%2); set the camera to manual, because uneven photographs make masks and colours less reliable.</source>
@@ -5258,7 +5258,7 @@
     <message>
       <source>No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir kamera ayar resimlerini açıklamıyor.</translation>
+      <translation>Hiçbir kamera modeli kalibrasyon resimlerine uymuyor.</translation>
     </message>
     <message>
       <source>No photograph of this camera shows the plate's markers.</source>
@@ -5433,7 +5433,7 @@
     <message>
       <source>Another photograph has the same camera and position; this one is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka bir fotoğraf aynı kamera ve duraktan; bu atlanıyor.</translation>
+      <translation>Başka bir fotoğraf aynı kameradan ve konumdan; bu atlanıyor.</translation>
     </message>
     <message>
       <source>This photograph is left out.</source>
@@ -5533,7 +5533,7 @@
     <message>
       <source>No plate.json describes the sheet: %1 markers of %2 were found in the photographs (%3 px), but their size is unknown, so the result has no scale. Measure the side of a marker&apos;s black square and give it with --marker-mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir plate.json sayfayı tanımlamıyor: fotoğraflarda %2 sözlüğünden %1 işaret bulundu (%3 px) ve boyutları bilinmiyor; bu yüzden sonucun ölçeği yok. Bir işaretnin siyah karesinin kenarını ölçün ve --marker-mm ile belirtin.</translation>
+      <translation>Hiçbir plate.json sayfayı tanımlamıyor: fotoğraflarda %2 sözlüğünden %1 işaret bulundu (%3 px) ama boyutları bilinmiyor; bu yüzden sonucun ölçeği yok. Bir işaretin siyah karesinin kenarını ölçün ve --marker-mm ile belirtin.</translation>
     </message>
     <message>
       <source>This mask is not used.</source>
@@ -5663,7 +5663,7 @@
     <message>
       <source>The plate file needs &apos;dictionary&apos; and &apos;markers&apos;, each with an id and four corners of three numbers; &apos;diameter&apos;, if given, is a number in mm, &apos;sheet&apos; the paper&apos;s width and height.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tabla için 'dictionary' ve her biri bir id ile üçer sayılık dört köşe içeren 'markers' gerekir; 'diameter' verilmişse mm cinsinden bir sayıdır.</translation>
+      <translation>Tabla dosyası için 'dictionary' ve her biri bir id ile üçer sayılık dört köşe içeren 'markers' gerekir; 'diameter' verilmişse mm cinsinden bir sayıdır, 'sheet' kâğıdın eni ve boyudur.</translation>
     </message>
     <message>
       <source>The plate file lists no markers.</source>
@@ -5683,7 +5683,7 @@
     <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayar levhası için 'dictionary', 'squares_x', 'squares_y', 'square_mm' ve 'marker_mm' gerekir.</translation>
+      <translation>Kalibrasyon levhası için 'dictionary', 'squares_x', 'squares_y', 'square_mm' ve 'marker_mm' gerekir.</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
@@ -5703,7 +5703,7 @@
     <message>
       <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti %1 kamera ve %2 durakla başlatılmıştı, %3 ve %4 ile değil; başka bir klasör belirtin.</translation>
+      <translation>Bu parti %1 kamera ve %2 konumla başlatılmıştı, %3 ve %4 ile değil; başka bir klasör seçin.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -5843,7 +5843,7 @@
     <message>
       <source>Two photographs arrived for one shot, %1 and %2; use one folder per camera and one photograph per position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir çekim için iki fotoğraf geldi, %1 ve %2; her klasöre bir kamera, her durağa bir fotoğraf.</translation>
+      <translation>Bir çekim için iki fotoğraf geldi, %1 ve %2; her kamera için bir klasör, her konum için bir fotoğraf.</translation>
     </message>
     <message>
       <source>The camera with this serial number is not plugged in; found: %1.</source>
@@ -6008,12 +6008,12 @@
     <message>
       <source>The section &apos;devices&apos; cannot be read; compare it with docs/devices.md.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'devices' bölümü okunamıyor; README’nin aygıtlar bölümüyle karşılaştırın.</translation>
+      <translation>'devices' bölümü okunamıyor; docs/devices.md ile karşılaştırın.</translation>
     </message>
     <message>
       <source>The number of positions must be between 3 and 99.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Durak sayısı 3 ile 99 arasında olmalı.</translation>
+      <translation>Konum sayısı 3 ile 99 arasında olmalı.</translation>
     </message>
     <message>
       <source>The rig has no camera or no turntable.</source>
@@ -6023,7 +6023,7 @@
     <message>
       <source>There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeniden çekilecek %1 çekimi yok: bu yüzün 1–%2 durakları ve A–%3 kameraları var.</translation>
+      <translation>Yeniden çekilecek %1 çekimi yok: bu yüzün 1–%2 konumları ve A–%3 kameraları var.</translation>
     </message>
     <message>
       <source>Camera %1 of this batch was %2, but the connected one is %3; continue with the original cameras or choose another folder.</source>
@@ -6038,7 +6038,7 @@
     <message>
       <source>Camera %1, position %2 failed %3 times: %4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1, durak %2: %3 kez başarısız oldu: %4.</translation>
+      <translation>Kamera %1, konum %2: %3 kez başarısız oldu: %4.</translation>
     </message>
     <message>
       <source>Camera %1 delivers only earlier or broken photographs; switch it off and on.</source>
@@ -6078,32 +6078,32 @@
     <message>
       <source>The turntable&apos;s dialect: &apos;move&apos; must contain {target} or {by}.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'move' içinde {target} ya da {by} olmalı.</translation>
+      <translation>Döner masanın lehçesi: 'move' içinde {target} ya da {by} olmalı.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;accepted&apos; must describe its answer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'accepted' nasıl yanıt verdiğini söylemeli.</translation>
+      <translation>Döner masanın lehçesi: 'accepted' nasıl yanıt verdiğini söylemeli.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;query&apos; and &apos;position&apos; must be given together.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'query' ile 'position' birlikte verilir.</translation>
+      <translation>Döner masanın lehçesi: 'query' ile 'position' birlikte verilir.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;reply_s&apos; must be greater than 0.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'reply_s' 0’dan büyük olmalı.</translation>
+      <translation>Döner masanın lehçesi: 'reply_s' 0’dan büyük olmalı.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;%1&apos; is not a regular expression.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: '%1' bir düzenli ifade değil.</translation>
+      <translation>Döner masanın lehçesi: '%1' bir düzenli ifade değil.</translation>
     </message>
     <message>
       <source>The turntable&apos;s dialect: &apos;position&apos; needs a group for the angle.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın sözcükleri: 'position' için açıyı veren bir öbek gerekir.</translation>
+      <translation>Döner masanın lehçesi: 'position' için açıyı veren bir öbek gerekir.</translation>
     </message>
     <message>
       <source>The turntable&apos;s &apos;dialect&apos; must be &quot;marlin&quot; or an object with its commands.</source>
@@ -6208,7 +6208,7 @@
     <message>
       <source>the markers show an angle other than this position&apos;s</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>işaretler bu durağın açısından başka bir açı gösteriyor</translation>
+      <translation>işaretler bu konumun açısından başka bir açı gösteriyor</translation>
     </message>
     <message>
       <source>the picture&apos;s size differs from that of the camera&apos;s other pictures</source>
@@ -6218,7 +6218,7 @@
     <message>
       <source>too few markers are visible to identify the position: check that nothing covers them and that the picture is sharp</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>durağı bulmak için çok az işaret görünüyor: önlerinde bir şey mi var, bulanık mı?</translation>
+      <translation>konumu belirlemek için çok az işaret görünüyor: önlerinde bir şey olmadığına ve resmin net olduğuna bakın</translation>
     </message>
     <message>
       <source>the camera delivered an earlier photograph again</source>
@@ -6233,7 +6233,7 @@
     <message>
       <source>the picture is blurred: check that the turntable is still and the focus is unchanged</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>bulanık: tabla hâlâ hareket mi ediyordu, odak mı değişti?</translation>
+      <translation>resim bulanık: döner masanın hareketsiz ve odağın değişmemiş olduğuna bakın</translation>
     </message>
     <message>
       <source>the sherds are too dark: add light or increase the exposure time</source>
@@ -6363,7 +6363,7 @@
     <message>
       <source>A pair needs a front and a back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir çiftin ön yüzü ve arka yüzü vardır.</translation>
+      <translation>Bir eş için bir ön yüz ve bir arka yüz gerekir.</translation>
     </message>
     <message>
       <source>The decision to undo is not in this batch.</source>
@@ -6388,7 +6388,7 @@
     <message>
       <source>This is a draft from reduced photographs; reprocess the batch for final measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu, daha kaba fotoğraflardan bir taslak; kalıcı ölçüler için partiyi yeniden hesaplayın.</translation>
+      <translation>Bu, küçültülmüş fotoğraflardan bir taslak; kesin ölçüler için partiyi yeniden işleyin.</translation>
     </message>
     <message>
       <source>These results of &apos;ostraka process&apos; are incomplete; run it again.</source>
@@ -6398,7 +6398,7 @@
     <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Çiftler tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
+      <translation>Eş tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
     </message>
     <message>
       <source>This batch is no longer in the catalogue.</source>
@@ -6493,7 +6493,7 @@
     <message>
       <source>A newer Ostraka made this project (catalogue version %1, this program supports %2). Nothing was changed. Install the newer version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu proje daha yeni bir Ostraka ile yapılmış (katalog sürümü %1, bu program %2 sürümünü biliyor); onu kurun, hiçbir şey değiştirilmedi.</translation>
+      <translation>Bu projeyi daha yeni bir Ostraka yapmış (katalog sürümü %1, bu program %2 sürümünü destekliyor). Hiçbir şey değiştirilmedi. Yeni sürümü kurun.</translation>
     </message>
     <message>
       <source>The numbering cannot contain the character &apos;%1&apos;; letters, digits, &apos;.&apos;, &apos;_&apos;, &apos;/&apos; and &apos;-&apos; are allowed between the tokens.</source>
@@ -6593,12 +6593,12 @@
     <message>
       <source>A merge needs two or more fragments.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İki ya da daha çok kırık birleştirilir.</translation>
+      <translation>Birleştirme için iki ya da daha çok kırık parça gerekir.</translation>
     </message>
     <message>
       <source>A split needs exactly one fragment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir tek kırık kesilir.</translation>
+      <translation>Bölme için tam bir kırık parça gerekir.</translation>
     </message>
     <message>
       <source>The name of a person must not be empty.</source>
@@ -7158,12 +7158,12 @@
     <message>
       <source>There is no context %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 konteksti yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
+      <translation>%1 konteksti yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
       <source>There is no bag %1; create it or let the import create it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 torbası yok; onu oluşturun ya da alma sırasında oluşturulmasına izin verin.</translation>
+      <translation>%1 torbası yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
       <source>The column closed accepts yes or no.</source>
@@ -7223,7 +7223,7 @@
     <message>
       <source>This sherd has no model yet, so it cannot be drawn; process its batch first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu parçanın henüz modeli yok, bu yüzden çizilemiyor; önce partisini hesaplayın.</translation>
+      <translation>Bu parçanın henüz modeli yok, bu yüzden çizilemiyor; önce partisini işleyin.</translation>
     </message>
     <message>
       <source>The measurements of its batch are in doubt, and so is the size of this drawing.</source>
@@ -7248,7 +7248,7 @@
     <message>
       <source>This model or picture of the sherd %1 differs from the recorded one; reprocess its batch %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 parçasının bu modeli ya da resmi kaydedilen değil; %2 partisini yeniden hesaplayın.</translation>
+      <translation>%1 parçasının bu modeli ya da resmi kaydedilenden farklı; %2 partisini yeniden işleyin.</translation>
     </message>
     <message>
       <source>%1 is exported in full detail: %2</source>
@@ -7338,7 +7338,7 @@
     <message>
       <source>The project has another file with this name; rename the export and import it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Projede bu adda başka bir dosya var; dışa aktarmanın adını değiştirin ve yeniden alın.</translation>
+      <translation>Projede bu adda başka bir dosya var; dışa aktarmanın adını değiştirin ve yeniden içe aktarın.</translation>
     </message>
     <message>
       <source>Not a sherd record (ostraka-sherd/1).</source>
@@ -7378,7 +7378,7 @@
     <message>
       <source>Masks from the plate need at least 3 photographs of a side; photograph more positions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tabladan maske için bir yüzün en az 3 fotoğrafı gerekir; daha çok durak çekin.</translation>
+      <translation>Tabladan maske için bir yüzün en az 3 fotoğrafı gerekir; daha çok konum çekin.</translation>
     </message>
     <message>
       <source>The photograph differs in size from its camera&apos;s images; use the original file.</source>
@@ -7398,7 +7398,7 @@
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows the plate at none of the positions; retake it at the first; masks are made without it</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>maskeler: %1 kamerasının boş tabla resmi tablayı hiçbir durakta göstermiyor; ilk durakta yeniden çekin; onsuz maskelendi</translation>
+      <translation>maskeler: %1 kamerasının boş tabla fotoğrafı tablayı hiçbir konumda göstermiyor; ilk konumda yeniden çekin; maskeler onsuz yapıldı</translation>
     </message>
     <message>
       <source>masks: the empty-plate photograph of camera %1 shows covered markers in %2; uncover them; masks are made without it</source>
@@ -7513,7 +7513,7 @@
     <message>
       <source>The evidence for a pair has no valid scans or value.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir çiftin verilerinde geçerli tarama ya da sayı yok.</translation>
+      <translation>Bir eşin verilerinde geçerli tarama ya da sayı yok.</translation>
     </message>
     <message>
       <source>pairing: %1 stays unpaired: %2</source>
@@ -7533,12 +7533,12 @@
     <message>
       <source>Not a candidate table; reprocess the batch, which redoes only its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir aday tablosu değil; partiyi yeniden hesaplayın, yalnız çiftleri yeniden yapılır.</translation>
+      <translation>Bu bir aday tablosu değil; partiyi yeniden işleyin, yalnız eşleri yeniden yapılır.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, yüzü o zamandan beri yeniden fotoğraflanan %3 içindir; yeniden karar verin.</translation>
+      <translation>%2 tarafından verilen %1. karar, yüzü o zamandan beri yeniden çekilen %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
@@ -7558,7 +7558,7 @@
     <message>
       <source>A pair needs one front and one back.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir çift, bir ön yüz ve bir arka yüz ister.</translation>
+      <translation>Bir eş için bir ön yüz ve bir arka yüz gerekir.</translation>
     </message>
     <message>
       <source>Nothing is selected to set aside or reshoot.</source>
@@ -7568,12 +7568,12 @@
     <message>
       <source>Fragments to merge must be of one side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Birleştirilecek kırıklar aynı yüzden olmalı.</translation>
+      <translation>Birleştirilecek kırık parçalar aynı yüzden olmalı.</translation>
     </message>
     <message>
       <source>A split needs one fragment and a line of at least 1 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir kesim, bir kırık ve en az bir milimetrelik bir çizgi ister.</translation>
+      <translation>Bölme için bir kırık parça ve en az 1 mm&apos;lik bir çizgi gerekir.</translation>
     </message>
     <message>
       <source>Nothing is selected to withdraw.</source>
@@ -7618,7 +7618,7 @@
     <message>
       <source>%1 may be two sherds that touch, %2 and %3 of the other side: split it in the review, or move them apart and reshoot its side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, birbirine değen iki parça olabilir: öteki yüzün %2 ve %3 parçaları; onu incelemede kesin ya da ayırıp yüzünü yeniden fotoğraflayın.</translation>
+      <translation>%1, birbirine değen iki parça olabilir: öteki yüzün %2 ve %3 parçaları; onu gözden geçirmede bölün ya da ayırıp yüzünü yeniden çekin.</translation>
     </message>
     <message>
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
@@ -7628,7 +7628,7 @@
     <message>
       <source>This batch has no masks yet; process it first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partinin henüz maskesi yok; önce hesaplanmasını bekleyin.</translation>
+      <translation>Bu partinin henüz maskesi yok; önce işleyin.</translation>
     </message>
     <message>
       <source>This file does not state how well the rig fits.</source>
@@ -7638,7 +7638,7 @@
     <message>
       <source>This calibration is for other cameras than those of the batch; calibrate the rig from its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu ayar, partinin çekildiği kameralardan başka kameraların; düzeneği kendi fotoğraflarıyla ayarlayın.</translation>
+      <translation>Bu kalibrasyon, partinin kameralarından başka kameralar için; düzeneği kendi fotoğraflarıyla kalibre edin.</translation>
     </message>
     <message>
       <source>Masks cannot be made without plate.json; put masks next to the photographs, or choose a network (--masks MODEL.onnx).</source>
@@ -7648,7 +7648,7 @@
     <message>
       <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sonucun ölçeği yok: plate.json olmadan hiçbir uzunluk bilinmez, mm olarak verilenler de bir pikselin tahmin edilen boyutuna dayanır; işaretli bir tabla üzerinde fotoğraflayın, board.json dosyasındaki ayar levhasını iki yüzde de parçaların yanına koyun ya da ikisinde de scale.json içinde bilinen bir uzunluk işaretleyin.</translation>
+      <translation>Sonucun ölçeği yok: plate.json olmadan hiçbir uzunluk bilinmez, mm olarak verilenler de bir pikselin tahmin edilen boyutuna dayanır; işaretli bir tabla üzerinde fotoğraflayın, board.json dosyasındaki kalibrasyon levhasını iki yüzde de parçaların yanına koyun ya da ikisinde de scale.json içinde bilinen bir uzunluk işaretleyin.</translation>
     </message>
     <message>
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
@@ -7668,17 +7668,17 @@
     <message>
       <source>A pair refers to a scan that does not exist; delete this file and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir çift, var olmayan bir taramayı anıyor; bu dosyayı silin ve yeniden başlayın.</translation>
+      <translation>Bir eş, var olmayan bir taramayı anıyor; bu dosyayı silin ve partiyi yeniden işleyin.</translation>
     </message>
     <message>
       <source>Not a pair table; delete it and reprocess the batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir çift tablosu değil; silin ve yeniden başlayın.</translation>
+      <translation>Bu bir eş tablosu değil; silin ve partiyi yeniden işleyin.</translation>
     </message>
     <message>
       <source>%1 and %2 were paired by hand, but their relative pose is unknown; align the back by hand in the review: %3</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ve %2 elle eşlendi, ama birbirlerine göre nasıl durduklarını söyleyen bir şey yok; arka yüzü incelemede elle döndürün: %3</translation>
+      <translation>%1 ve %2 elle eşlendi, ama birbirlerine göre duruşları bilinmiyor; arka yüzü gözden geçirmede elle hizalayın: %3</translation>
     </message>
     <message>
       <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera&apos;s sharpest %3; it is left out, retake it.</source>
@@ -7698,12 +7698,12 @@
     <message>
       <source>All photographs of the back side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden fotoğraflayın.</translation>
+      <translation>Arka yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden çekin.</translation>
     </message>
     <message>
       <source>All photographs of the front side are blurred: even in the sharpest, the markers&apos; edges are %1 pixels wide, so its scans are coarse. Check focus and shutter speed, and reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden fotoğraflayın.</translation>
+      <translation>Ön yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden çekin.</translation>
     </message>
     <message>
       <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
@@ -7713,12 +7713,12 @@
     <message>
       <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, artık olmayan kırıkları birleştiriyor; yeniden karar verin.</translation>
+      <translation>%2 tarafından verilen %1. karar, artık olmayan kırık parçaları birleştiriyor; yeniden karar verin.</translation>
     </message>
     <message>
       <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, olmayan bir kırığı kesiyor ya da yanından geçiyor; yeniden karar verin.</translation>
+      <translation>%2 tarafından verilen %1. karar, olmayan bir kırık parçayı bölüyor ya da ıskalıyor; yeniden karar verin.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>
@@ -7728,7 +7728,7 @@
     <message>
       <source>The photographs show no marker plate, so finding the cameras needs the program %1, which is not installed; install it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğraflarda işaretli bir tabla yok, bu yüzden kameraları %1 programı bulmalı, o da kurulu değil.</translation>
+      <translation>Fotoğraflarda işaretli bir tabla yok, bu yüzden kameraları %1 programı bulmalı, o da kurulu değil; kurun.</translation>
     </message>
     <message>
       <source>This needs about %1 GB of memory, but only %2 GB are free: the computer may stop the program or become very slow.</source>
@@ -7738,7 +7738,7 @@
     <message>
       <source>Close other programs, or process a draft.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka programları kapatın ya da bir taslak hesaplayın.</translation>
+      <translation>Başka programları kapatın ya da bir taslak işleyin.</translation>
     </message>
     <message>
       <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
@@ -7748,22 +7748,22 @@
     <message>
       <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
+      <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3. konumdan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
+      <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3. duraktan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
+      <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3. konumdan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
       <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden fotoğraflayın.</translation>
+      <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
       <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
@@ -7788,7 +7788,7 @@
     <message>
       <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partinin çiftleri henüz hesaplanmadı ya da eski bir programla hesaplandı; partiyi yeniden hesaplayın: tamamlanmış olan korunur.</translation>
+      <translation>Bu partinin eşleri henüz işlenmedi ya da Ostraka&apos;nın eski bir sürümünden; partiyi yeniden işleyin: tamamlanmış olan korunur.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -7918,12 +7918,12 @@
     <message>
       <source>Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in its picture; reshoot it if that matters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parça %1: yüzeyinin %2 % kadarını hiçbir kamera görmedi; bu kısım dolduruldu, resimde turuncu. Önemliyse yeniden fotoğraflayın.</translation>
+      <translation>Parça %1: yüzeyinin %2 % kadarını hiçbir kamera görmedi; bu kısım dolduruldu, resimde turuncu. Önemliyse yeniden çekin.</translation>
     </message>
     <message>
       <source>Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parça %1: modelinde bir yandan öbür yana geçen bir delik var (%2 mm²). Parçada delik yoksa fotoğraflar o yeri göstermiyor; yeniden fotoğraflayın.</translation>
+      <translation>Parça %1: modelinde bir yandan öbür yana geçen bir delik var (%2 mm²). Parçada delik yoksa fotoğraflar o yeri göstermiyor; yeniden çekin.</translation>
     </message>
     <message>
       <source>The file lists %1, which is not in the batch; delete the file to find the cameras again.</source>
@@ -7958,22 +7958,22 @@
     <message>
       <source>%1: The mask marks no sherd in this photograph; it is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: bu fotoğrafta işaretli hiç parça yok; atlanıyor.</translation>
+      <translation>%1: maske bu fotoğrafta hiç parça işaretlemiyor; atlanıyor.</translation>
     </message>
     <message>
       <source>If it shows sherds, retake it or edit its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Üzerinde parça varsa yeniden çekin ya da maskesini düzeltin.</translation>
+      <translation>Üzerinde parça varsa yeniden çekin ya da maskesini düzenleyin.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün %1 fotoğrafında parça işaretli; 3 gerekir.</translation>
+      <translation>Ön yüzün %1 fotoğrafında maskeler parça işaretliyor; 3 gerekir.</translation>
     </message>
     <message>
       <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün %1 fotoğrafında parça işaretli; 3 gerekir.</translation>
+      <translation>Arka yüzün %1 fotoğrafında maskeler parça işaretliyor; 3 gerekir.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -7983,7 +7983,7 @@
     <message>
       <source>Fewer than 10 fracture points match; start from a better pose.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kırık kenarlarının 10’dan az noktası buluşuyor; daha iyi bir konumdan başlayın.</translation>
+      <translation>Kırıkların 10’dan az noktası eşleşiyor; daha iyi bir duruştan başlayın.</translation>
     </message>
     <message>
       <source>No start pose was given for the registration.</source>
@@ -7998,17 +7998,17 @@
     <message>
       <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kırık kenarında 50’den az nokta var; parçayı kenarıyla birlikte yeniden tarayın.</translation>
+      <translation>Kırıkta 50’den az nokta var; parçayı kırığıyla birlikte yeniden tarayın.</translation>
     </message>
     <message>
       <source>%1: The board was not detected; this picture is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: ayar levhası görünmüyor; bu resim atlanıyor.</translation>
+      <translation>%1: kalibrasyon levhası görünmüyor; bu resim atlanıyor.</translation>
     </message>
     <message>
       <source>The dictionary %1 has too few markers for the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 sözlüğünde ayar levhası için çok az işaret var.</translation>
+      <translation>%1 sözlüğünde kalibrasyon levhası için çok az işaret var.</translation>
     </message>
     <message>
       <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
@@ -8018,12 +8018,12 @@
     <message>
       <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayarlamak için bir şey yok: tablayı her durakta 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasını 'calib' içine fotoğraflayın ve yanlarına plate.json ile board.json dosyalarını kopyalayın.</translation>
+      <translation>Kalibre etmek için bir şey yok: tablayı her konumda 'front' içine (cam0_pos00.jpg ve böyle sürer), kalibrasyon levhasını 'calib' içine fotoğraflayın ve yanlarına plate.json ile board.json dosyalarını kopyalayın.</translation>
     </message>
     <message>
       <source>No pictures of the board found; put them here or into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayar levhasının resmi yok; buraya ya da 'calib' içine koyun.</translation>
+      <translation>Kalibrasyon levhasının resmi yok; buraya ya da 'calib' içine koyun.</translation>
     </message>
     <message>
       <source>It is set aside.</source>
@@ -8083,7 +8083,7 @@
     <message>
       <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bilinen düzenekte %2 x %3 piksellik resimler veren kamera %1 yok; düzenek onun yerine bu partiden ayarlanır.</translation>
+      <translation>Bilinen düzenekte %2 x %3 piksellik resimler veren kamera %1 yok; düzenek onun yerine bu partiden kalibre edilir.</translation>
     </message>
     <message>
       <source>Its lens is estimated from the plate's markers instead.</source>
@@ -8093,12 +8093,12 @@
     <message>
       <source>The lens of camera %1 is unknown: no usable pictures of the board and no plate markers were found; add pictures of the board to &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 objektifi bilinmiyor: ne kullanılabilir ayar levhası resmi ne de tablanın işaretleri var; 'calib' içine ayar levhasının resimlerini ekleyin.</translation>
+      <translation>Kamera %1 objektifi bilinmiyor: ne kullanılabilir kalibrasyon levhası resmi ne de tablanın işaretleri var; 'calib' içine kalibrasyon levhasının resimlerini ekleyin.</translation>
     </message>
     <message>
       <source>The lens of camera %1 was estimated from the plate&apos;s markers alone; add 12 pictures of the board to &apos;calib&apos; for accurate measurements.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 objektifi yalnız tablanın işaretlerinden kestirildi; kesin ölçüler için 'calib' içine ayar levhasının 12 resmini ekleyin.</translation>
+      <translation>Kamera %1 objektifi yalnız tablanın işaretlerinden kestirildi; kesin ölçüler için 'calib' içine kalibrasyon levhasının 12 resmini ekleyin.</translation>
     </message>
     <message>
       <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
@@ -8113,12 +8113,12 @@
     <message>
       <source>The known rig no longer fits: camera %1 misses the markers by %2 px. The camera poses are re-estimated for this batch; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bilinen düzenek artık uymuyor: kamera %1 işaretleri %2 px kaçırıyor; kameraların yerleri bu parti için yeniden kestirilir, düzeneği yeniden ayarlayın.</translation>
+      <translation>Bilinen düzenek artık uymuyor: kamera %1 işaretleri %2 px kaçırıyor. Kameraların duruşları bu parti için yeniden kestirilir; düzeneği yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>%1: none of its %2 markers is where this camera sees them at this position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: %2 işaretinden hiçbiri bu kameranın bu durakta gördüğü yerde değil.</translation>
+      <translation>%1: %2 işaretinden hiçbiri bu kameranın bu konumda gördüğü yerde değil.</translation>
     </message>
     <message>
       <source>It has another photograph&apos;s name or was taken while the plate was turning; it is left out.</source>
@@ -8128,7 +8128,7 @@
     <message>
       <source>%1: no marker is visible; check that the photograph shows this position. If not, retake it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: içinde hiç işaret görünmüyor; bu durağı mı gösteriyor? Değilse yeniden çekin.</translation>
+      <translation>%1: hiç işaret görünmüyor; fotoğrafın bu konumu gösterdiğine bakın. Göstermiyorsa yeniden çekin.</translation>
     </message>
     <message>
       <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
@@ -8143,12 +8143,12 @@
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1, %2 durağında tablanın altıdan az işaretini görüyor; oradaki ışığa ve odağa, işaretlerin üstünde bir şey olmadığına bakın.</translation>
+      <translation>Kamera %1, %2 konumunda tablanın altıdan az işaretini görüyor; oradaki ışığa ve odağa, işaretlerin üstünde bir şey olmadığına bakın.</translation>
     </message>
     <message>
       <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yalnız %1 durak fotoğraflandı; eksenin bulunması için tam tur boyunca en az dört durak çekin.</translation>
+      <translation>Yalnız %1 konum fotoğraflandı; eksenin bulunması için tam tur boyunca en az dört konum çekin.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8173,7 +8173,7 @@
     <message>
       <source>Good: lenses, camera poses and scale are determined.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İyi: objektifler, yerler ve ölçek belirlendi.</translation>
+      <translation>İyi: objektifler, kamera duruşları ve ölçek belirlendi.</translation>
     </message>
     <message>
       <source>Usable for a trial only: the lens of camera %1 comes from the plate&apos;s markers alone.</source>
@@ -8198,7 +8198,7 @@
     <message>
       <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı %2 px (%3 %), ayar levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik.</translation>
+      <translation>Kamera %1: odak uzaklığı %2 px (%3 %), kalibrasyon levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik.</translation>
     </message>
     <message>
       <source>Camera %1: focal length %2 px (%3 %), median error at the plate&apos;s markers %4 px.</source>
@@ -8208,27 +8208,27 @@
     <message>
       <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, median error at the plate&apos;s markers %9 px.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı %2 px (%3 %), ayar levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik, tablanın işaretleri ortanca %9 px.</translation>
+      <translation>Kamera %1: odak uzaklığı %2 px (%3 %), kalibrasyon levhasının %4 resmi %5 px ile, en kötüsü %6 %7 px ile, en çok %8 derece eğik, tablanın işaretleri ortanca %9 px.</translation>
     </message>
     <message>
       <source>Camera %1: take 12 pictures of the board, near and far, in all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhasının 12 resmini çekin; yakından ve uzaktan, resmin bütün köşelerinde, değişik yönlere 20 ile 45 derece eğik.</translation>
+      <translation>Kamera %1: kalibrasyon levhasının 12 resmini çekin; yakından ve uzaktan, resmin bütün köşelerinde, değişik yönlere 20 ile 45 derece eğik.</translation>
     </message>
     <message>
       <source>Camera %1: only 1 picture shows the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası yalnız 1 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası yalnız 1 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
     </message>
     <message>
       <source>Camera %1: only %2 pictures show the board; take at least 8, preferably 12.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası yalnız %2 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası yalnız %2 resimde görünüyor; en az 8, daha iyisi 12 resim çekin.</translation>
     </message>
     <message>
       <source>Camera %1: the board barely reaches the %2 of the picture; add pictures with the board there.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası resmin şu bölgelerine pek ulaşmıyor: %2; ayar levhasının orada olduğu resimler ekleyin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası resmin şu bölgelerine pek ulaşmıyor: %2; kalibrasyon levhasının orada olduğu resimler ekleyin.</translation>
     </message>
     <message>
       <source>upper left</source>
@@ -8278,17 +8278,17 @@
     <message>
       <source>Camera %1: no picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir resimde ayar levhası 20 dereceden fazla eğik değil; değişik yanlara eğik en az dört resim çekin.</translation>
+      <translation>Kamera %1: hiçbir resimde kalibrasyon levhası 20 dereceden fazla eğik değil; değişik yanlara eğik en az dört resim çekin.</translation>
     </message>
     <message>
       <source>Camera %1: only 1 picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası yalnız 1 resimde 20 dereceden fazla eğik; değişik yanlara eğik en az dört resim çekin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası yalnız 1 resimde 20 dereceden fazla eğik; değişik yanlara eğik en az dört resim çekin.</translation>
     </message>
     <message>
       <source>Camera %1: only %2 pictures show the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası yalnız %2 resimde 20 dereceden fazla eğik; değişik yanlara eğik en az dört resim çekin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası yalnız %2 resimde 20 dereceden fazla eğik; değişik yanlara eğik en az dört resim çekin.</translation>
     </message>
     <message>
       <source>Reprojection error %1 px over the plate's markers.</source>
@@ -8323,7 +8323,7 @@
     <message>
       <source>Photograph the plate with its markers too: put one picture per camera and position into &apos;front&apos; (cam0_pos00.jpg and so on) next to plate.json, and the board&apos;s pictures into &apos;calib&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablayı işaretleriyle de fotoğraflayın: her kamera ve durak için bir resmi plate.json yanındaki 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasının resimlerini 'calib' içine koyun.</translation>
+      <translation>Tablayı işaretleriyle de fotoğraflayın: her kamera ve konum için bir resmi plate.json yanındaki 'front' içine (cam0_pos00.jpg ve böyle sürer), kalibrasyon levhasının resimlerini 'calib' içine koyun.</translation>
     </message>
     <message>
       <source>Marker %1 of the known length is visible in fewer than two photographs; choose two markers of the plate that the photographs show.</source>
@@ -8338,7 +8338,7 @@
     <message>
       <source>Folder not found; choose one with photographs of the plate or of the board.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Böyle bir klasör yok; tablanın ya da ayar levhasının fotoğrafları olan birini verin.</translation>
+      <translation>Böyle bir klasör yok; tablanın ya da kalibrasyon levhasının fotoğrafları olan birini verin.</translation>
     </message>
     <message>
       <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
@@ -8403,27 +8403,27 @@
     <message>
       <source>The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is printed and glued without distortion, and that a known rig was calibrated with it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ölçek doğru değil: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %); plate.json dosyasının bu tablanın olduğunu, tablanın doğru basılıp yapıştırıldığını ve bilinen düzeneğin onunla ayarlandığını denetleyin.</translation>
+      <translation>Ölçek doğru değil: denetim için ayrılan %1 ve %2 işaretlerinin arası %3 mm, olması gereken %4 (%5 mm, %6 %); plate.json dosyasının bu tablanın olduğunu, tablanın doğru basılıp yapıştırıldığını ve bilinen düzeneğin onunla kalibre edildiğinı denetleyin.</translation>
     </message>
     <message>
       <source>Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 ile karşılaştırıldığında kamera %2, düzenek ayarlandığından beri %3 mm kaymış ve %4 derece dönmüş.</translation>
+      <translation>Kamera %1 ile karşılaştırıldığında kamera %2, düzenek kalibre edildiğindan beri %3 mm kaymış ve %4 derece dönmüş.</translation>
     </message>
     <message>
       <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve ayar levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
+      <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve kalibrasyon levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
     </message>
     <message>
       <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir resimde ayar levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
+      <translation>Kamera %1: hiçbir resimde kalibrasyon levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
     </message>
     <message>
       <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir ayar levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve ayar levhasının düzlüğünü denetleyin.</translation>
+      <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir kalibrasyon levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve kalibrasyon levhasının düzlüğünü denetleyin.</translation>
     </message>
     <message>
       <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
@@ -8433,27 +8433,27 @@
     <message>
       <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası yalnız %2 ayar resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası yalnız %2 kalibrasyon resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
     </message>
     <message>
       <source>Camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir kamera ayar resimlerini açıklamıyor.</translation>
+      <translation>Kamera %1: hiçbir kamera modeli kalibrasyon resimlerine uymuyor.</translation>
     </message>
     <message>
       <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve ayar levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
+      <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve kalibrasyon levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
     </message>
     <message>
       <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir resimde ayar levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
+      <translation>Kamera %1: hiçbir resimde kalibrasyon levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
     </message>
     <message>
       <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir ayar levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve ayar levhasının düzlüğünü denetleyin.</translation>
+      <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir kalibrasyon levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve kalibrasyon levhasının düzlüğünü denetleyin.</translation>
     </message>
     <message>
       <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
@@ -8463,17 +8463,17 @@
     <message>
       <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: ayar levhası yalnız %2 ayar resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
+      <translation>Kamera %1: kalibrasyon levhası yalnız %2 kalibrasyon resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
     </message>
     <message>
       <source>camera %1: No camera model fits the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir kamera ayar resimlerini açıklamıyor.</translation>
+      <translation>Kamera %1: hiçbir kamera modeli kalibrasyon resimlerine uymuyor.</translation>
     </message>
     <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: içinde ayar levhası görünmüyor; kenara ayrılır.</translation>
+      <translation>%1: içinde kalibrasyon levhası görünmüyor; kenara ayrılır.</translation>
     </message>
     <message>
       <source>The marker dictionary &apos;%1&apos; is unknown; use one such as DICT_4X4_100.</source>
@@ -8538,12 +8538,12 @@
     <message>
       <source>Camera %1 has a covariance of the wrong size; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 kovaryansının boyutu başka; düzeneği yeniden ayarlayın.</translation>
+      <translation>Kamera %1 kovaryansının boyutu yanlış; düzeneği yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>Another version of Ostraka wrote this rig; recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu düzeneği başka bir sürüm yazmış; düzeneği yeniden ayarlayın.</translation>
+      <translation>Bu düzeneği Ostraka&apos;nın başka bir sürümü yazmış; yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>Camera %1 appears twice in the rig.</source>
@@ -8553,12 +8553,12 @@
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir düzenek dosyası (RIG.json) değil; düzeneği yeniden ayarlayın.</translation>
+      <translation>Bu bir düzenek dosyası (RIG.json) değil; düzeneği yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>The rig has no camera; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Düzeneğin kamerası yok; yeniden ayarlayın.</translation>
+      <translation>Düzeneğin kamerası yok; yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>This file already exists and is not a rig; choose another name.</source>
@@ -8593,12 +8593,12 @@
     <message>
       <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 mm’lik bir kırıntı (x %2, y %3 mm) kenara bırakıldı; parçaysa onu tek başına çekin.</translation>
+      <translation>%1 mm’lik bir kırıntı (x %2, y %3 mm) dışarıda bırakıldı; parçaysa onu tek başına çekin.</translation>
     </message>
     <message>
       <source>A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Düz bir şey (x %1, y %2 mm) kenara bırakıldı; bir işaret ya da tabladaki kir olabilir.</translation>
+      <translation>Düz bir nesne (x %1, y %2 mm) dışarıda bırakıldı; bir işaret ya da tabladaki kir olabilir.</translation>
     </message>
     <message>
       <source>Two sherds touch at x %1, y %2 mm and were split there; leave a finger&apos;s width between sherds.</source>
@@ -8643,12 +8643,12 @@
     <message>
       <source>The photograph or its mask differs in size from its camera&apos;s images; use photographs of the size that the camera was calibrated with.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğrafın ya da maskesinin boyutu kamerasınınkinden farklı; kameranın ayarlandığı fotoğrafı verin.</translation>
+      <translation>Fotoğrafın ya da maskesinin boyutu kamerasının resimlerinden farklı; kameranın kalibre edildiği boyutta fotoğraflar kullanın.</translation>
     </message>
     <message>
       <source>The photograph differs in size from the images that its camera was calibrated with; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğrafın boyutu kamerasınınkinden farklı; kameranın ayarlandığı fotoğrafı verin.</translation>
+      <translation>Fotoğrafın boyutu, kamerasının kalibre edildiği resimlerden farklı; özgün fotoğrafı kullanın.</translation>
     </message>
     <message>
       <source>The mask and its photograph differ in size.</source>
@@ -8703,7 +8703,7 @@
     <message>
       <source>The rig needs a camera and at least four positions; recalibrate it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Düzenek bir kamera ve en az dört durak ister; yeniden ayarlayın.</translation>
+      <translation>Düzenek için bir kamera ve en az dört konum gerekir; yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>The virtual camera has no setting %1 of %2.</source>
@@ -8723,7 +8723,7 @@
     <message>
       <source>This model is missing; reprocess its batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu model artık yok; partisini yeniden hesaplayın.</translation>
+      <translation>Bu model eksik; partisini yeniden işleyin.</translation>
     </message>
     <message>
       <source>This sherd is void.</source>
@@ -8798,7 +8798,7 @@
     <message>
       <source>This batch is still being photographed; it is processed afterwards.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu parti şu anda fotoğraflanıyor; bitince hesaplanır.</translation>
+      <translation>Bu parti şu anda fotoğraflanıyor; sonra işlenir.</translation>
     </message>
     <message>
       <source>Joins with sherds that are not in the export or were not imported are left out: %1; enter them by hand.</source>
@@ -8818,12 +8818,12 @@
     <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti sonuna kadar hesaplanmadı; kuyruğun onu hesaplamasını bekleyin, sonra eşlerine bakılabilir.</translation>
+      <translation>Parti tam işlenmedi; sıranın onu işlemesini bekleyin, sonra eşlerini gözden geçirin.</translation>
     </message>
     <message>
       <source>%1 was retaken after its mask was edited; the strokes on the earlier photograph are left out. Check its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, maskesi düzeltildikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
+      <translation>%1, maskesi düzenlendikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
     </message>
     <message>
       <source>Joins with rows that were not imported are left out: %1; correct these rows, then import the table again.</source>
@@ -8833,7 +8833,7 @@
     <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 numarası, henüz hesaplanmamış %2 içindeki bir parçaya yazıldı.</translation>
+      <translation>%1 numarası, henüz işlenmemiş %2 içindeki bir parçaya yazıldı.</translation>
     </message>
     <message>
       <source>A sheet of an earlier drawing already exists and is not overwritten; choose another name, or delete that sheet.</source>
@@ -8913,7 +8913,7 @@
     <message>
       <source>The board&apos;s markers must be smaller than its squares; correct &apos;marker_mm&apos; or &apos;square_mm&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayar levhasının işaretleri karelerinden küçük olmalı; 'marker_mm' veya 'square_mm' değerini düzeltin.</translation>
+      <translation>Kalibrasyon levhasının işaretleri karelerinden küçük olmalı; 'marker_mm' veya 'square_mm' değerini düzeltin.</translation>
     </message>
     <message>
       <source>A face of the PLY file has more than %1 corners; export the file again as triangles.</source>

@@ -28,7 +28,8 @@ constexpr Names kOfSherds[] = {
      "uuid|identifier|id ostraka|Kennung|identifiant|identificador|ταυτότητα|kimlik|"
      "նույնացուցիչ"},
     {"void_reason",
-     "void because|reason voided|ungültig, weil|annulé parce que|anulado porque|"
+     "void because|reason voided|Grund der Ungültigkeit|ungültig, weil|annulé parce que|anulado "
+     "porque|"
      "άκυρο επειδή|geçersiz, çünkü|անվավեր է, քանի որ"},
     {"site",
      "site|site code|Fundort|Fundstelle|Grabung|chantier|yacimiento|sitio|θέση|ανασκαφή|"

@@ -53,9 +53,7 @@ class PairReviewModel final : public QAbstractListModel {
   const pipeline::LiveFit& fit() const { return fit_; }
   bool isMeasured() const;  ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
-  const std::vector<double>& settlingFractures() const {
-    return settling_fractures_;
-  }                             ///< RMS so far, mm
+  const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
   QString reason() const;       ///< why the card is doubtful, or what is tried on it
   QString figuresText() const;  ///< fracture RMS and overlap of the trial, in words
   bool canAccept() const;
@@ -144,7 +142,7 @@ class PairReviewModel final : public QAbstractListModel {
   std::vector<pipeline::ReviewCandidate> candidates_;
   Trial trial_;
   pipeline::LiveFit fit_;
-  std::vector<double> settling_fractures_;
+  std::vector<double> settling_rms_;
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;
 };

@@ -88,14 +88,14 @@ void PairReviewModel::fitAt(
   if (!live_ || trial_.front < 0) return;
   if (fit_job_) fit_job_->drop();  // its result is not wanted any more
   busy_ = true;
-  settling_fractures_.clear();
+  settling_rms_.clear();
   emit busyChanged(true);
   const Trial from = trial_;
   fit_job_ = runner_.start(makeJob(text, std::move(work)), this);
   connect(fit_job_, &JobHandle::told, this, [this, from](const std::any& value) {
     if (from.front != trial_.front || from.back != trial_.back) return;
     const auto& fit = std::any_cast<const pipeline::LiveFit&>(value);
-    settling_fractures_.push_back(fit.fracture_rms_mm);
+    settling_rms_.push_back(fit.fracture_rms_mm);
     emit settlingAt(fit.front_from_back);
   });
   connect(fit_job_, &JobHandle::finished, this,

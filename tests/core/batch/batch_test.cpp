@@ -119,7 +119,7 @@ TEST(ReadBatch, LeavesOutTheCutOffPhotographOnly) {
   ASSERT_TRUE(batch.has_value());
   EXPECT_EQ(batch->shots.size(), 6U);
   EXPECT_THAT(listener.warnings,
-              ElementsAre(testing::AllOf(HasSubstr("cam0_pos03.jpg"), HasSubstr("cut off"))));
+              ElementsAre(testing::AllOf(HasSubstr("cam0_pos03.jpg"), HasSubstr("truncated"))));
 }
 
 TEST(ReadBatch, LeavesOutThePhotographOfAnotherSize) {
@@ -169,7 +169,7 @@ TEST(ReadBatch, NamesThePhotographsThatAreMissing) {
   EXPECT_EQ(batch->shots.size(), 11U);
   ASSERT_EQ(listener.warnings.size(), 3U);
   EXPECT_THAT(listener.warnings[0], HasSubstr("cam1_pos03.jpg"));
-  EXPECT_THAT(listener.warnings[1], testing::AllOf(HasSubstr("front"), HasSubstr(": cam0_pos03;")));
+  EXPECT_THAT(listener.warnings[1], testing::AllOf(HasSubstr("front"), HasSubstr(": cam0_pos03.")));
   EXPECT_THAT(listener.warnings[2],
               testing::AllOf(HasSubstr("back"), HasSubstr("cam1_pos00, cam1_pos01, cam1_pos02")));
 }

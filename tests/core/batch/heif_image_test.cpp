@@ -111,7 +111,7 @@ TEST(HeifImage, IsRecognisedAsCutOffWhereverItIsCut) {
     EXPECT_FALSE(size.has_value()) << length;
   }
   EXPECT_THAT(imageSize(whole.substr(0, whole.size() - 1), "a.heic").error().what,
-              HasSubstr("cut off"));
+              HasSubstr("truncated"));
 }
 
 TEST(HeifImage, SurvivesChangedBytes) {

@@ -91,7 +91,7 @@ TEST_F(PhotoChecks, LeaveOutTheBlurredOneAndNameIt) {
   ASSERT_TRUE(found.has_value());
   // A step blurred by sigma rises over sigma sqrt(2 pi): 4.0 pixels at 1.6.
   EXPECT_THAT(found->warnings, ElementsAre(AllOf(HasSubstr("front1.png"), HasSubstr("blurred"),
-                                                 HasSubstr("take it again"))));
+                                                 HasSubstr("retake it"))));
   EXPECT_THAT(found->spoilt, ElementsAre(1U));
 }
 

@@ -305,7 +305,7 @@ TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPair
   computed("second", {40, 80});
   const Result<void> again = enter(taken(DecisionKind::Pair, pair.scans));
   ASSERT_FALSE(again);
-  EXPECT_NE(again.error().what.find("photographed again"), std::string::npos);
+  EXPECT_NE(again.error().what.find("reshot"), std::string::npos);
   EXPECT_EQ(counting(), "");
   EXPECT_EQ(follow(), 0) << "the chain says the same";
   pipeline::ScanRef now = back(2);

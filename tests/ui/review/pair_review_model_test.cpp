@@ -214,10 +214,10 @@ void PairReviewModelTest::theBackIsSeenOnItsWayAndCanBeStopped() {
   QTRY_COMPARE(model_->trial().made, Made::Settled);
   // After the coarse rounds, after the fine ones, and where it came to rest.
   QCOMPARE(seen.size(), std::size_t{3});
-  QCOMPARE(model_->settlingFractures().size(), std::size_t{3});
+  QCOMPARE(model_->settlingRms().size(), std::size_t{3});
   QVERIFY(!seen[0].isApprox(by_hand, 1e-6));
   QVERIFY(seen[2].isApprox(model_->trial().front_from_back, 1e-12));
-  QVERIFY(model_->settlingFractures().back() < start->fracture_rms_mm);
+  QVERIFY(model_->settlingRms().back() < start->fracture_rms_mm);
   disconnect(model_.get(), &PairReviewModel::settlingAt, this, nullptr);
 }
 

@@ -3340,7 +3340,7 @@
       <translation>Eine Rückseite allein hat kein geschlossenes Modell.</translation>
     </message>
     <message>
-      <source>Stopped; the back stays where it was.</source>
+      <source>Cancelled. The back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Angehalten; die Rückseite bleibt, wo sie war.</translation>
     </message>

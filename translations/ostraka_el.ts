@@ -3335,7 +3335,7 @@
       <translation>Μια πίσω όψη μόνη δεν έχει κλειστό μοντέλο.</translation>
     </message>
     <message>
-      <source>Stopped; the back stays where it was.</source>
+      <source>Cancelled. The back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακόπηκε· η πίσω όψη μένει όπου ήταν.</translation>
     </message>

@@ -3335,7 +3335,7 @@
       <translation>Un reverso solo no tiene modelo cerrado.</translation>
     </message>
     <message>
-      <source>Stopped; the back stays where it was.</source>
+      <source>Cancelled. The back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenido; el reverso queda donde estaba.</translation>
     </message>

@@ -3335,7 +3335,7 @@
       <translation>Une face arrière seule n’a pas de modèle fermé.</translation>
     </message>
     <message>
-      <source>Stopped; the back stays where it was.</source>
+      <source>Cancelled. The back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté ; la face arrière reste où elle était.</translation>
     </message>

@@ -3335,7 +3335,7 @@
       <translation>Միայնակ հետևի երեսը փակ մոդել չունի։</translation>
     </message>
     <message>
-      <source>Stopped; the back stays where it was.</source>
+      <source>Cancelled. The back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցված է. հետևի երեսը մնում է իր տեղում։</translation>
     </message>

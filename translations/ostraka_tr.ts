@@ -3294,7 +3294,7 @@
       <translation>Tek başına bir arka yüzün kapalı modeli olmaz.</translation>
     </message>
     <message>
-      <source>Stopped; the back stays where it was.</source>
+      <source>Cancelled. The back stays where it was.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durduruldu; arka yüz olduğu yerde kaldı.</translation>
     </message>

@@ -105,7 +105,7 @@ void PairReviewModel::fitAt(
             const auto fit = outcomeAs<pipeline::LiveFit>(outcome);
             if (!fit) emit trialChanged();  // back to where it was
             if (!fit && fit.error().code == ErrorCode::Cancelled)
-              return emit failed(tr("Stopped; the back stays where it was."));
+              return emit failed(tr("Cancelled. The back stays where it was."));
             if (!fit) return emit failed(sentenceOf(fit.error()));
             if (from.front != trial_.front || from.back != trial_.back) return;
             tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);

@@ -63,7 +63,8 @@ TEST(ImageSize, ReadsBigEndianTiffByHand) {
   const auto size = imageSize(t, "x");
   ASSERT_TRUE(size.has_value()) << size.error().sentence();
   EXPECT_EQ(*size, (ImageSize{3, 2}));
-  EXPECT_THAT(imageSize(std::string_view(t).substr(0, 75), "x").error().what, HasSubstr("truncated"));
+  EXPECT_THAT(imageSize(std::string_view(t).substr(0, 75), "x").error().what,
+              HasSubstr("truncated"));
 }
 
 TEST(ImageSize, RefusesWhatIsNoImage) {

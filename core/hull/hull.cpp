@@ -29,6 +29,36 @@ struct FastCamera {
   const rig::Intrinsics* intrinsics;
 };
 
+// Leaves 1 where a thing stands, 0 elsewhere.
+void dropFloating(const HullSpace& space, std::vector<unsigned char>& voxels) {
+  const Eigen::Vector3i n = space.count;
+  const auto index = [&](int x, int y, int z) {
+    return (static_cast<std::size_t>(z) * n.y() + y) * n.x() + x;
+  };
+  const int gap = 1 + kMostGapLayers;
+  constexpr unsigned char kStands = 2;
+  std::vector<Eigen::Vector3i> open;
+  const auto reach = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= n.x() || y >= n.y() || z >= n.z()) return;
+    unsigned char& voxel = voxels[index(x, y, z)];
+    if (voxel == 0 || voxel == kStands) return;
+    voxel = kStands;
+    open.emplace_back(x, y, z);
+  };
+  for (unsigned char& voxel : voxels) voxel = voxel != 0 ? 1 : 0;
+  for (int z = 0; z < std::min(kFloorLayers, n.z()); ++z)
+    for (int y = 0; y < n.y(); ++y)
+      for (int x = 0; x < n.x(); ++x) reach(x, y, z);
+  while (!open.empty()) {
+    const Eigen::Vector3i at = open.back();
+    open.pop_back();
+    for (int z = at.z() - gap; z <= at.z() + gap; ++z)
+      for (int y = at.y() - 1; y <= at.y() + 1; ++y)
+        for (int x = at.x() - 1; x <= at.x() + 1; ++x) reach(x, y, z);
+  }
+  for (unsigned char& voxel : voxels) voxel = voxel == kStands ? 1 : 0;
+}
+
 }  // namespace
 
 std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const HullView> views,
@@ -127,6 +157,7 @@ void keepTouching(const cv::Mat1b& floor, cv::Mat1b& group) {
 }
 
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area) {
+  dropFloating(space, voxels);
   const Eigen::Vector3i n = space.count;
   cv::Mat1b footprint(n.y(), n.x(), uchar{0});
   const auto index = [&](int x, int y, int z) {
@@ -138,16 +169,10 @@ int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, 
         if (voxels[index(x, y, z)] != 0) footprint(y, x) = 255;
   cv::Mat labels, stats, centres;
   const int groups = cv::connectedComponentsWithStats(footprint, labels, stats, centres, 8, CV_32S);
-  std::vector<char> stands(static_cast<std::size_t>(groups), 0);
-  for (int z = 0; z < std::min(kFloorLayers, n.z()); ++z)
-    for (int y = 0; y < n.y(); ++y)
-      for (int x = 0; x < n.x(); ++x)
-        if (voxels[index(x, y, z)] != 0) stands[labels.at<int>(y, x)] = 1;
   int left = 0;
   std::vector<unsigned char> number(static_cast<std::size_t>(groups), 0);
   for (int g = 1; g < groups; ++g)
-    if (stands[g] != 0 &&
-        stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area)
+    if (stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area)
       number[g] = static_cast<unsigned char>(left++ % kMostGroups + 1);
   for (int z = 0; z < n.z(); ++z)
     for (int y = 0; y < n.y(); ++y)

@@ -47,11 +47,13 @@ Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned c
 /// does, however far its top leans over what lies beyond. floor: as large, 255 where it shows.
 void keepTouching(const cv::Mat1b& floor, cv::Mat1b& group);
 
-inline constexpr int kMostGroups = 255;  ///< more share numbers
+inline constexpr int kMostGroups = 255;   ///< more share numbers
+inline constexpr int kMostGapLayers = 3;  ///< a stripe of the ground's colour around a thing
 
-/// Takes away groups (connected seen from above) that do not stand on the floor, where rays cross
-/// by chance, and those with a footprint below min_area; returns how many groups are left and gives
-/// their voxels the group's number, 1, 2, ... kMostGroups.
+/// Takes away voxels from which no way leads down to the floor (rays that cross by chance where
+/// nothing is known of what lies behind), kMostGapLayers empty layers between at most, then groups
+/// (connected seen from above) with a footprint below min_area. Returns how many groups are left
+/// and gives their voxels the group's number, 1, 2, ... kMostGroups.
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area);
 
 /// Takes away numbered groups that reach a side of the space, unless all of them do: where nothing

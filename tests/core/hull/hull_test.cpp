@@ -121,14 +121,20 @@ TEST_F(Hull, GroupsAtTheSidesGoUnlessThereAreNoOthers) {
   EXPECT_EQ(alone[index(7, 7, 0)], 1) << "a large thing on a ground of which little was seen";
 }
 
-TEST_F(Hull, GroupsThatFloatAboveThePlateAreRaysThatCrossByChance) {
+TEST_F(Hull, WhatFloatsAboveThePlateAreRaysThatCrossByChance) {
   std::vector<unsigned char> voxels(41 * 41 * 30, 0);
+  const int bridged = 2 + kMostGapLayers;
   for (int y = 5; y < 15; ++y)
-    for (int x = 5; x < 15; ++x)
-      voxels[index(x, y, 12)] = voxels[index(x + 20, y, 2)] = voxels[index(x + 20, y, 12)] = 1;
+    for (int x = 5; x < 15; ++x) {
+      voxels[index(x, y, 12)] = 1;      // above nothing
+      voxels[index(x + 20, y, 1)] = 1;  // stands on the plate
+      voxels[index(x + 20, y, bridged)] = voxels[index(x + 20, y, 29)] = 1;
+    }
   EXPECT_EQ(dropSmallGroups(space_, voxels, 25), 1);
   EXPECT_EQ(voxels[index(7, 7, 12)], 0);
-  EXPECT_EQ(voxels[index(27, 7, 12)], 1);  // above what stands on the plate
+  EXPECT_EQ(voxels[index(27, 7, 1)], 1);
+  EXPECT_EQ(voxels[index(27, 7, bridged)], 1) << "a stripe of the plate's colour divides no thing";
+  EXPECT_EQ(voxels[index(27, 7, 29)], 0) << "a cloud above a thing is none of it";
 }
 
 TEST(KeepTouching, TakesPartsOfASilhouetteThatNowhereShowBeforeTheFloor) {

@@ -14,8 +14,8 @@ namespace ostraka::app {
 
 /// What the help of each command says of the shell's status.
 inline constexpr const char* kExitStatusWords =
-    "Exit status: 0 the result is whole, 1 it is not (or was stopped; the same command goes on),\n"
-    "2 the input cannot be used, 3 a person must decide (ambiguous pairs).";
+    "Exit status: 0 complete, 1 incomplete or cancelled (run the same command to continue),\n"
+    "2 unusable input, 3 needs review (ambiguous pairs).";
 
 /// The words among which an option's value is, as builtin, colmap and openmvs; empty: any value.
 std::vector<std::string> choicesOf(const CLI::Option& option);

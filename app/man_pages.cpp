@@ -60,15 +60,15 @@ void addOptions(const CLI::App& app, std::string& page) {
 // The sentence of --help, one line a status.
 std::string exitStatus() {
   return ".SH EXIT STATUS\n"
-         ".TP\n.B 0\nThe result is whole.\n"
-         ".TP\n.B 1\nIt is not: stopped (the same command goes on), a disk full, a sherd without a "
-         "model, a goal of evaluate \\-\\-gate missed, something that doctor finds missing.\n"
-         ".TP\n.B 2\nThe command line or the input cannot be used; the sentence says which file "
-         "and "
+         ".TP\n.B 0\nThe result is complete.\n"
+         ".TP\n.B 1\nThe result is incomplete: cancelled (run the same command to continue), disk "
+         "full, a sherd without a model, a goal of evaluate \\-\\-gate missed, something that "
+         "doctor "
+         "finds missing.\n"
+         ".TP\n.B 2\nThe command line or the input cannot be used; the message names the file and "
          "what to do.\n"
-         ".TP\n.B 3\nA person must decide: ambiguous pairs, a side that was photographed but looks "
-         "wrong.\n"
-         ".PP\nWith \\-\\-json the status stands in the object too, as exit_status.\n";
+         ".TP\n.B 3\nNeeds review: ambiguous pairs, or a photographed side that looks wrong.\n"
+         ".PP\nWith \\-\\-json the object holds the status, too, as exit_status.\n";
 }
 
 std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string& name,

@@ -18,7 +18,7 @@ struct PartFigures {
 };
 
 struct CloudFigures {
-  std::size_t points = 0;      ///< judged: at most 200 000
+  std::size_t points = 0;      ///< evaluated: at most 200 000
   double outlier_percent = 0;  ///< farther than 2 mm from every sherd
   PartFigures flat;            ///< true normal's z > 0.8
   PartFigures strip;           ///< |z| < 0.5, the broken edge; covered_percent only above z = 1 mm

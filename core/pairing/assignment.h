@@ -70,8 +70,8 @@ Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_fr
                                     double lone_log_likelihood);
 
 /// Log-likelihood ratio from outline, fracture and batch size, for Evidence::log_likelihood. A
-/// false pair is a non-match (judged by the outline, against non-matches at random) or, one time in
-/// fifty, a near-duplicate (judged by the fracture, against fractures of like outlines); whichever
+/// false pair is a non-match (told by the outline from non-matches at random) or, one time in
+/// fifty, a near-duplicate (told by the fracture from fractures of like outlines); whichever
 /// explains more counts. A scan has n_scans possible partners, and one in ten has none.
 double jointLogLikelihood(double outline, double fracture, int n_scans);
 

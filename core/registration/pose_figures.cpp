@@ -35,7 +35,7 @@ void addDistances(const StripLevel& asked, const StripLevel& other,
 
 PoseFigures figuresAt(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back) {
-  FracturePairing pairing;  // within 1 mm, as a finished registration is judged
+  FracturePairing pairing;  // within 1 mm, as a finished registration is checked
   pairing.robust_mm = 0.5;
   const Eigen::Vector3d pivot = 0.5 * (front.centre + front_from_back * back.centre);
   const FractureFit fracture = fitFracture(front.fine, back.fine, front.up, front_from_back, pivot,

@@ -79,13 +79,14 @@ Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
   return room;
 }
 
-Result<LookWithRoom> lookForRoom(std::string_view picture, const batch::Plate& plate,
-                                 const InspectionOptions& look, const ClearanceOptions& room) {
-  Result<MappedInspection> mapped = inspectAndMap(picture, plate, look);
+Result<InspectionWithClearance> lookForRoom(std::string_view picture, const batch::Plate& plate,
+                                            const InspectionOptions& inspection,
+                                            const ClearanceOptions& room) {
+  Result<MappedInspection> mapped = inspectAndMap(picture, plate, inspection);
   if (!mapped) return mapped.error();
-  LookWithRoom seen{std::move(mapped->look), {}};
-  if (seen.look.pixel_from_plate)
-    seen.room = clearance(mapped->map, piecesOf(mapped->map, look.smallest_sherd_mm), room);
+  InspectionWithClearance seen{std::move(mapped->inspection), {}};
+  if (seen.inspection.pixel_from_plate)
+    seen.room = clearance(mapped->map, piecesOf(mapped->map, inspection.smallest_sherd_mm), room);
   return seen;
 }
 

@@ -26,12 +26,13 @@ struct Clearance {
 Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
                     const ClearanceOptions& options);
 
-struct LookWithRoom {
-  PlateInspection look;
+struct InspectionWithClearance {
+  PlateInspection inspection;
   Clearance room;  ///< without places where the plate's place is not seen
 };
 /// inspectPlate, and how many more have room. Errors: as inspectPlate.
-Result<LookWithRoom> lookForRoom(std::string_view picture, const batch::Plate& plate,
-                                 const InspectionOptions& look, const ClearanceOptions& room);
+Result<InspectionWithClearance> lookForRoom(std::string_view picture, const batch::Plate& plate,
+                                            const InspectionOptions& inspection,
+                                            const ClearanceOptions& room);
 
 }  // namespace ostraka::capture

@@ -77,7 +77,7 @@ double sharpnessOf(const cv::Mat& picture, const std::vector<rig::SeenMarker>& s
   return rig::typicalWidth(std::move(widths));
 }
 
-void judgeLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateInspection& look) {
+void measureLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateInspection& inspection) {
   std::int64_t all = 0, dark = 0, bright = 0;
   for (int y = 0; y < picture.rows; ++y) {
     const auto* row = picture.ptr<cv::Vec3b>(y);
@@ -89,8 +89,8 @@ void judgeLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateInspection
     }
   }
   if (all == 0) return;
-  look.dark_share = static_cast<double>(dark) / static_cast<double>(all);
-  look.bright_share = static_cast<double>(bright) / static_cast<double>(all);
+  inspection.dark_share = static_cast<double>(dark) / static_cast<double>(all);
+  inspection.bright_share = static_cast<double>(bright) / static_cast<double>(all);
 }
 
 std::vector<PlateMark> marksOf(const std::vector<rig::SeenMarker>& seen, double whole_per_work) {
@@ -112,25 +112,25 @@ Eigen::Vector2f projected(const Eigen::Matrix3d& h, const Eigen::Vector2d& p) {
 
 // Where a marker that is not seen should be, as far as it lies within the picture.
 void addHidden(const batch::Plate& plate, const Eigen::Matrix3d& pixel_from_plate,
-               PlateInspection& look) {
+               PlateInspection& inspection) {
   const auto within = [&](const Eigen::Vector2f& p) {
-    return p.x() >= 0 && p.y() >= 0 && p.x() < static_cast<float>(look.width) &&
-           p.y() < static_cast<float>(look.height);
+    return p.x() >= 0 && p.y() >= 0 && p.x() < static_cast<float>(inspection.width) &&
+           p.y() < static_cast<float>(inspection.height);
   };
   for (const batch::Marker& marker : plate.markers) {
     const auto same = [&](const PlateMark& mark) { return mark.id == marker.id; };
-    if (std::any_of(look.marks.begin(), look.marks.end(), same)) continue;
+    if (std::any_of(inspection.marks.begin(), inspection.marks.end(), same)) continue;
     PlateMark mark{marker.id, {}, false};
     for (std::size_t c = 0; c < 4; ++c)
       mark.corners_px[c] = projected(pixel_from_plate, marker.corners[c].head<2>());
     if (std::all_of(mark.corners_px.begin(), mark.corners_px.end(), within))
-      look.marks.push_back(mark);
+      inspection.marks.push_back(mark);
   }
 }
 
 PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_plate,
                     const batch::Plate& plate, const InspectionOptions& options,
-                    double whole_per_work, PlateInspection& look) {
+                    double whole_per_work, PlateInspection& inspection) {
   PlateMap map = mapPlate(picture, pixel_from_plate, freeRadius_mm(plate));
   std::vector<MapPiece> pieces = piecesOf(map, options.smallest_sherd_mm);
   std::sort(pieces.begin(), pieces.end(), [](const MapPiece& a, const MapPiece& b) {
@@ -146,15 +146,15 @@ PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_pl
       sherd.outline_px.push_back(pixel * static_cast<float>(whole_per_work));
     }
     cv::fillPoly(sherds, std::vector<std::vector<cv::Point>>{outline}, 255);
-    look.sherds.push_back(std::move(sherd));
+    inspection.sherds.push_back(std::move(sherd));
     if (options.too_close_mm <= 0) continue;
     if (mayBeSeveral(pieces[i]))
-      look.too_close.emplace_back(static_cast<int>(i), static_cast<int>(i));
+      inspection.too_close.emplace_back(static_cast<int>(i), static_cast<int>(i));
     for (std::size_t k = 0; k < i; ++k)
       if (gapBetween_mm(pieces[k], pieces[i]) < options.too_close_mm)
-        look.too_close.emplace_back(static_cast<int>(k), static_cast<int>(i));
+        inspection.too_close.emplace_back(static_cast<int>(k), static_cast<int>(i));
   }
-  judgeLight(picture, sherds, look);
+  measureLight(picture, sherds, inspection);
   return map;
 }
 
@@ -177,7 +177,7 @@ Result<PlateInspection> inspectPlate(std::string_view picture, const batch::Plat
                                      const InspectionOptions& options) {
   Result<MappedInspection> mapped = inspectAndMap(picture, plate, options);
   if (!mapped) return mapped.error();
-  return std::move(mapped->look);
+  return std::move(mapped->inspection);
 }
 
 Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Plate& plate,
@@ -186,10 +186,10 @@ Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Pl
   const Result<cv::Mat> whole = batch::decodePhotograph(picture, {});
   if (!whole) return whole.error();
   MappedInspection mapped;
-  PlateInspection& look = mapped.look;
-  look.width = whole->cols;
-  look.height = whole->rows;
-  look.markers_on_plate = static_cast<int>(plate.markers.size());
+  PlateInspection& inspection = mapped.inspection;
+  inspection.width = whole->cols;
+  inspection.height = whole->rows;
+  inspection.markers_on_plate = static_cast<int>(plate.markers.size());
   cv::Mat work = *whole;
   if (whole->cols > options.work_width_px)
     cv::resize(
@@ -199,14 +199,15 @@ Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Pl
   const double whole_per_work = static_cast<double>(whole->cols) / work.cols;
   const auto seen = markersOf(work, plate);
   if (!seen) return seen.error();
-  look.markers_seen = static_cast<int>(seen->size());
-  look.marks = marksOf(*seen, whole_per_work);
-  look.sharpness = sharpnessOf(*whole, *seen, whole_per_work);
+  inspection.markers_seen = static_cast<int>(seen->size());
+  inspection.marks = marksOf(*seen, whole_per_work);
+  inspection.sharpness = sharpnessOf(*whole, *seen, whole_per_work);
   const std::optional<Eigen::Matrix3d> plane = planeOf(*seen, plate);
   if (!plane) return mapped;
-  mapped.map = findSherds(work, *plane, plate, options, whole_per_work, look);
-  look.pixel_from_plate = Eigen::Vector3d(whole_per_work, whole_per_work, 1).asDiagonal() * *plane;
-  addHidden(plate, *look.pixel_from_plate, look);
+  mapped.map = findSherds(work, *plane, plate, options, whole_per_work, inspection);
+  inspection.pixel_from_plate =
+      Eigen::Vector3d(whole_per_work, whole_per_work, 1).asDiagonal() * *plane;
+  addHidden(plate, *inspection.pixel_from_plate, inspection);
   return mapped;
 }
 

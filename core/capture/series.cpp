@@ -128,14 +128,14 @@ Result<void> Series::sameCamera(int camera) const {
 Result<void> Series::readReferences() {
   parallelFor(watches_.size(), 0, [&](std::size_t c) {
     CameraReference& reference = watches_[c].reference;
-    for (int s = 0; s < options_.stops && !reference.look; ++s) {
+    for (int s = 0; s < options_.stops && !reference.inspection; ++s) {
       const ManifestEntry* entry =
           std::as_const(*store_).manifest().find(options_.side, s, static_cast<int>(c));
       if (entry == nullptr || !entry->checked) continue;
       const Result<std::string> bytes = readFile(store_->fileOf(*entry));
       if (!bytes) continue;
-      if (const auto look = inspectPlate(*bytes, devices_.plate, kSequenceInspection))
-        learn(reference, *look, angleOf(s));
+      if (const auto inspection = inspectPlate(*bytes, devices_.plate, kSequenceInspection))
+        learn(reference, *inspection, angleOf(s));
     }
   });
   for (const ManifestEntry& entry : store_->manifest().entries)
@@ -152,7 +152,7 @@ Result<void> Series::findPosition() {
   if (homed.error().code != ErrorCode::Missing) return homed;
   // No switch. Photographs of this side tell where the plate stands; without any, a person must.
   const bool seen = std::any_of(watches_.begin(), watches_.end(), [](const Watch& watch) {
-    return watch.reference.look.has_value();
+    return watch.reference.inspection.has_value();
   });
   if (!seen)
     return Error{
@@ -310,8 +310,9 @@ Result<SideSummary> Series::summary() {
       const ManifestEntry* entry =
           std::as_const(*store_).manifest().find(options_.side, s, static_cast<int>(c));
       if (entry == nullptr) continue;
-      const auto look = looks_.find({s, static_cast<int>(c)});
-      files[c].push_back({store_->fileOf(*entry), look == looks_.end() ? nullptr : look->second});
+      const auto inspection = inspections_.find({s, static_cast<int>(c)});
+      files[c].push_back({store_->fileOf(*entry),
+                          inspection == inspections_.end() ? nullptr : inspection->second});
       if (!entry->problems.empty()) done.flagged.push_back({s, static_cast<int>(c)});
       done.lies_wrongly =
           done.lies_wrongly || std::any_of(entry->problems.begin(), entry->problems.end(),

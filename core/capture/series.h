@@ -44,7 +44,7 @@ class Series {
     std::map<std::string, std::string> settings{};
     ShotCheck check{};
     int epoch = 0;  ///< of the table's count when it was taken; -1: says nothing about the table
-    bool judged = false, refused = false;
+    bool checked = false, refused = false;
   };
   struct Delivery {
     Result<void> outcome;
@@ -78,9 +78,9 @@ class Series {
   std::vector<int> doubted(const Task& task) const;
   Result<void> takeProofs(std::vector<int> cameras, const Task& task);
   void lookAtProof(int camera);
-  bool provenBy(Watch& watch, const PlateInspection& look, double angle_deg) const;
+  bool provenBy(Watch& watch, const PlateInspection& inspection, double angle_deg) const;
   Result<void> keepAndCheck();
-  void judgeShot(Shot& shot, std::shared_ptr<const MappedInspection> look, bool old);
+  void checkShot(Shot& shot, std::shared_ptr<const MappedInspection> inspection, bool old);
   Result<void> takeVerdicts();
   Result<void> refuse(const Shot& shot);
   Result<void> correctZero(const std::vector<Shot>& shots);
@@ -105,7 +105,8 @@ class Series {
   std::deque<Task> tasks_;
   std::vector<Shot> shots_;                   ///< of the last stop, until their verdicts are taken
   std::map<std::pair<int, int>, int> tries_;  ///< by stop and camera
-  std::map<std::pair<int, int>, std::shared_ptr<const MappedInspection>> looks_;  ///< of kept shots
+  std::map<std::pair<int, int>, std::shared_ptr<const MappedInspection>>
+      inspections_;                         ///< of kept shots
   double zero_deg_ = 0;                     ///< of the plate against the table, by the markers
   std::optional<double> doubted_zero_deg_;  ///< seen once; believed when it is seen again
   bool zero_unknown_ = false;               ///< the table restarted: the markers will tell

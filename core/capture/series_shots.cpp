@@ -30,10 +30,10 @@ const CameraFile* photographIn(const std::vector<CameraFile>& files) {
 }
 
 // nullptr: no whole picture.
-std::shared_ptr<const MappedInspection> lookAtBytes(const std::string& bytes,
-                                                    const batch::Plate& plate) {
-  Result<MappedInspection> look = inspectAndMap(bytes, plate, kSequenceInspection);
-  return look ? std::make_shared<const MappedInspection>(std::move(*look)) : nullptr;
+std::shared_ptr<const MappedInspection> inspectBytes(const std::string& bytes,
+                                                     const batch::Plate& plate) {
+  Result<MappedInspection> inspection = inspectAndMap(bytes, plate, kSequenceInspection);
+  return inspection ? std::make_shared<const MappedInspection>(std::move(*inspection)) : nullptr;
 }
 
 }  // namespace
@@ -116,8 +116,8 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
 void Series::lookAtProof(int camera) {
   Watch& watch = watches_[static_cast<std::size_t>(camera)];
   watch.probe_inspection.reset();
-  if (const auto mapped = lookAtBytes(watch.proof, devices_.plate))
-    watch.probe_inspection = mapped->look;
+  if (const auto mapped = inspectBytes(watch.proof, devices_.plate))
+    watch.probe_inspection = mapped->inspection;
   watch.proof.clear();
   if (watch.probe_inspection && watch.probe_inspection->pixel_from_plate) return;
   // Nothing can be told from it. Again, but not for ever: a camera may be turned away from the
@@ -126,13 +126,13 @@ void Series::lookAtProof(int camera) {
 }
 
 // Was the plate turned between the throw-away exposure and this one as the table was?
-bool Series::provenBy(Watch& watch, const PlateInspection& look, double angle_deg) const {
+bool Series::provenBy(Watch& watch, const PlateInspection& inspection, double angle_deg) const {
   if (!watch.probe_inspection) return false;
-  const std::optional<double> turn = turnBetween_deg(*watch.probe_inspection, look);
+  const std::optional<double> turn = turnBetween_deg(*watch.probe_inspection, inspection);
   if (!turn) return false;
   const double off = std::remainder(*turn - (angle_deg - watch.proof_deg), 360);
   if (std::abs(off) > kMostTurnError_deg) return false;
-  if (!devices_.turntable->turnsItself() && !sameSherds(*watch.probe_inspection, look))
+  if (!devices_.turntable->turnsItself() && !sameSherds(*watch.probe_inspection, inspection))
     return false;
   watch.trust = Trust::Proven;
   watch.probe_inspection.reset();
@@ -144,7 +144,7 @@ bool Series::provenBy(Watch& watch, const PlateInspection& look, double angle_de
 Result<void> Series::keepAndCheck() {
   struct Kept {
     Result<Arriving> arriving = Arriving{};
-    std::shared_ptr<const MappedInspection> look;
+    std::shared_ptr<const MappedInspection> inspection;
     bool old = false;
   };
   std::vector<int> proofs;
@@ -155,23 +155,23 @@ Result<void> Series::keepAndCheck() {
   parallelFor(jobs, static_cast<int>(jobs), [&](std::size_t i) {
     if (i >= shots_.size()) return lookAtProof(proofs[i - shots_.size()]);
     const Shot& shot = shots_[i];
-    if (shot.judged) return;
+    if (shot.checked) return;
     if (shot.files.empty()) {  // by an earlier run
       const ManifestEntry* entry =
           std::as_const(*store_).manifest().find(options_.side, shot.stop, shot.camera);
       if (const Result<std::string> bytes = readFile(store_->fileOf(*entry)))
-        kept[i].look = lookAtBytes(*bytes, devices_.plate);
+        kept[i].inspection = inspectBytes(*bytes, devices_.plate);
       return;
     }
     kept[i].arriving =
         store_->stage(shot.files, shot.camera, shot.stop, angleOf(shot.stop), shot.id);
     const CameraFile* photograph = photographIn(shot.files);
-    if (photograph != nullptr) kept[i].look = lookAtBytes(photograph->bytes, devices_.plate);
+    if (photograph != nullptr) kept[i].inspection = inspectBytes(photograph->bytes, devices_.plate);
   });
   Result<void> result;
   std::vector<Arriving> arriving;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (shots_[i].files.empty() || shots_[i].judged) continue;
+    if (shots_[i].files.empty() || shots_[i].checked) continue;
     if (!kept[i].arriving) {
       result = kept[i].arriving.error();
       continue;
@@ -190,28 +190,29 @@ Result<void> Series::keepAndCheck() {
     return result;
   }
   for (std::size_t i = 0; i < kept.size(); ++i)
-    if (!shots_[i].judged) judgeShot(shots_[i], kept[i].look, kept[i].old);
+    if (!shots_[i].checked) checkShot(shots_[i], kept[i].inspection, kept[i].old);
   return {};
 }
 
-void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedInspection> mapped, bool old) {
-  const PlateInspection* look = mapped ? &mapped->look : nullptr;
+void Series::checkShot(Shot& shot, std::shared_ptr<const MappedInspection> mapped, bool old) {
+  const PlateInspection* inspection = mapped ? &mapped->inspection : nullptr;
   Watch& watch = watches_[static_cast<std::size_t>(shot.camera)];
   shot.files.clear();
-  shot.judged = true;
+  shot.checked = true;
   const ManifestEntry* entry =
       std::as_const(*store_).manifest().find(options_.side, shot.stop, shot.camera);
   const double angle = angleOf(shot.stop);
-  if (look != nullptr)
-    shot.check = judge(*look, angle, watch.reference, {});
+  if (inspection != nullptr)
+    shot.check = checkOf(*inspection, angle, watch.reference, {});
   else
     shot.check.problems.push_back(ShotProblem::Unreadable);
   if (old) shot.check.problems.push_back(ShotProblem::Repeated);
-  if (watch.trust == Trust::Awaiting && look != nullptr && !look->pixel_from_plate) {
+  if (watch.trust == Trust::Awaiting && inspection != nullptr && !inspection->pixel_from_plate) {
     // The throw-away exposure showed the plate: this one has to, or nothing is proven.
     if (!shot.check.has(ShotProblem::Unplaced))
       shot.check.problems.push_back(ShotProblem::Unplaced);
-  } else if (watch.trust == Trust::Awaiting && look != nullptr && !provenBy(watch, *look, angle)) {
+  } else if (watch.trust == Trust::Awaiting && inspection != nullptr &&
+             !provenBy(watch, *inspection, angle)) {
     if (!shot.check.has(ShotProblem::WrongStop))
       shot.check.problems.push_back(ShotProblem::WrongStop);
     watch.trust = Trust::Doubted;
@@ -225,9 +226,9 @@ void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedInspection> mappe
   const auto counted = tries_.find({shot.stop, shot.camera});
   const int tries = counted == tries_.end() ? 0 : counted->second;
   shot.refused = !shot.check.keepable() || (shot.check.again() && tries < options_.tries_per_shot);
-  if (!shot.refused && look != nullptr) {
-    learn(watch.reference, *look, angle);
-    looks_[{shot.stop, shot.camera}] = std::move(mapped);
+  if (!shot.refused && inspection != nullptr) {
+    learn(watch.reference, *inspection, angle);
+    inspections_[{shot.stop, shot.camera}] = std::move(mapped);
   }
   CaptureEvent event{
       .kind = shot.refused ? CaptureEventKind::ShotRefused : CaptureEventKind::ShotKept,

@@ -68,20 +68,21 @@ std::vector<std::string> ShotCheck::sentences() const {
   return all;
 }
 
-ShotCheck judge(const PlateInspection& look, double angle_deg, const CameraReference& reference,
-                const JudgeOptions& options) {
+ShotCheck checkOf(const PlateInspection& inspection, double angle_deg,
+                  const CameraReference& reference, const ShotCheckOptions& options) {
   ShotCheck check;
-  check.markers_seen = look.markers_seen;
-  check.markers_on_plate = look.markers_on_plate;
-  check.sherds = static_cast<int>(look.sherds.size());
-  check.sharpness = look.sharpness;
+  check.markers_seen = inspection.markers_seen;
+  check.markers_on_plate = inspection.markers_on_plate;
+  check.sherds = static_cast<int>(inspection.sherds.size());
+  check.sharpness = inspection.sharpness;
   const auto add = [&](bool wrong, ShotProblem problem) {
     if (wrong) check.problems.push_back(problem);
   };
-  if (reference.look) {
-    add(look.width != reference.look->width || look.height != reference.look->height,
+  if (reference.inspection) {
+    add(inspection.width != reference.inspection->width ||
+            inspection.height != reference.inspection->height,
         ShotProblem::OtherSize);
-    if (const auto turn = turnBetween_deg(*reference.look, look)) {
+    if (const auto turn = turnBetween_deg(*reference.inspection, inspection)) {
       check.angle_seen_deg = unwound(reference.angle_deg + *turn, angle_deg);
       add(std::abs(*check.angle_seen_deg - angle_deg) > options.most_angle_error_deg,
           ShotProblem::WrongStop);
@@ -89,32 +90,33 @@ ShotCheck judge(const PlateInspection& look, double angle_deg, const CameraRefer
       add(true, ShotProblem::Unplaced);
     }
   }
-  add(look.markers_seen < std::max(options.least_markers, reference.markers_seen / 2),
+  add(inspection.markers_seen < std::max(options.least_markers, reference.markers_seen / 2),
       ShotProblem::FewMarkers);
-  add(reference.sharpness > 0 && look.sharpness > 0 &&
-          look.sharpness > options.most_edge_growth * reference.sharpness &&
-          look.sharpness > reference.sharpness + options.wide_edge_px,
+  add(reference.sharpness > 0 && inspection.sharpness > 0 &&
+          inspection.sharpness > options.most_edge_growth * reference.sharpness &&
+          inspection.sharpness > reference.sharpness + options.wide_edge_px,
       ShotProblem::Blurred);
   check.may_pass =
       check.has(ShotProblem::Blurred) ||
       (check.has(ShotProblem::FewMarkers) && reference.markers_seen >= options.least_markers);
-  add(look.dark_share > options.most_dark_share, ShotProblem::TooDark);
-  add(look.bright_share > options.most_bright_share, ShotProblem::TooBright);
-  add(std::any_of(look.sherds.begin(), look.sherds.end(),
+  add(inspection.dark_share > options.most_dark_share, ShotProblem::TooDark);
+  add(inspection.bright_share > options.most_bright_share, ShotProblem::TooBright);
+  add(std::any_of(inspection.sherds.begin(), inspection.sherds.end(),
                   [](const SeenSherd& s) { return s.cut_off; }),
       ShotProblem::CutOff);
   return check;
 }
 
-void learn(CameraReference& reference, const PlateInspection& look, double angle_deg) {
-  if (!reference.look && look.pixel_from_plate) {
-    reference.look = look;
+void learn(CameraReference& reference, const PlateInspection& inspection, double angle_deg) {
+  if (!reference.inspection && inspection.pixel_from_plate) {
+    reference.inspection = inspection;
     reference.angle_deg = angle_deg;
   }
-  if (look.sharpness > 0)
-    reference.sharpness =
-        reference.sharpness > 0 ? std::min(reference.sharpness, look.sharpness) : look.sharpness;
-  reference.markers_seen = std::max(reference.markers_seen, look.markers_seen);
+  if (inspection.sharpness > 0)
+    reference.sharpness = reference.sharpness > 0
+                              ? std::min(reference.sharpness, inspection.sharpness)
+                              : inspection.sharpness;
+  reference.markers_seen = std::max(reference.markers_seen, inspection.markers_seen);
 }
 
 }  // namespace ostraka::capture

@@ -105,13 +105,13 @@ struct ShotCheck {
 
 /// What one camera's photographs of a side have shown so far.
 struct CameraReference {
-  std::optional<PlateInspection> look;  ///< of a kept photograph with enough markers
-  double angle_deg = 0;                 ///< of that stop
-  double sharpness = 0;                 ///< of the sharpest so far
-  int markers_seen = 0;                 ///< most so far
+  std::optional<PlateInspection> inspection;  ///< of a kept photograph with enough markers
+  double angle_deg = 0;                       ///< of that stop
+  double sharpness = 0;                       ///< of the sharpest so far
+  int markers_seen = 0;                       ///< most so far
 };
 
-struct JudgeOptions {
+struct ShotCheckOptions {
   double most_angle_error_deg = 0.5;  ///< off by more, the photograph is of another stop
   double most_edge_growth = 1.4;      ///< edges wider than the sharpest photograph's are a blur
   double wide_edge_px = 0.5;          ///< and wider by this: edges are known to 0.1 px
@@ -121,10 +121,10 @@ struct JudgeOptions {
 };
 
 /// angle_deg: of the stop at which it was taken.
-ShotCheck judge(const PlateInspection& look, double angle_deg, const CameraReference& reference,
-                const JudgeOptions& options);
-/// A kept photograph joins what the next ones are judged by.
-void learn(CameraReference& reference, const PlateInspection& look, double angle_deg);
+ShotCheck checkOf(const PlateInspection& inspection, double angle_deg,
+                  const CameraReference& reference, const ShotCheckOptions& options);
+/// A kept photograph joins what the next ones are compared with.
+void learn(CameraReference& reference, const PlateInspection& inspection, double angle_deg);
 
 /// Before the flip and before clearing, from the photographs of a side.
 struct SideCheck {

@@ -34,15 +34,15 @@ using Photographs = std::vector<std::vector<SidePhotograph>>;
 std::shared_ptr<const MappedInspection> lookOf(const SidePhotograph& photograph,
                                                const batch::Plate& plate,
                                                const InspectionOptions& options) {
-  std::shared_ptr<const MappedInspection> look = photograph.look;
-  if (!look) {
+  std::shared_ptr<const MappedInspection> inspection = photograph.inspection;
+  if (!inspection) {
     const Result<std::string> bytes = readFile(photograph.file);
     if (!bytes) return nullptr;
     Result<MappedInspection> mapped = inspectAndMap(*bytes, plate, options);
     if (!mapped) return nullptr;
-    look = std::make_shared<const MappedInspection>(std::move(*mapped));
+    inspection = std::make_shared<const MappedInspection>(std::move(*mapped));
   }
-  return look->look.pixel_from_plate ? look : nullptr;
+  return inspection->inspection.pixel_from_plate ? inspection : nullptr;
 }
 
 // The camera that looks down most steeply, by its first photograph with markers; -1: none.
@@ -55,7 +55,7 @@ int steepestCamera(const Photographs& photographs, const batch::Plate& plate,
       if (stop.stop_requested()) return -1;
       const auto mapped = lookOf(photograph, plate, options);
       if (!mapped) continue;
-      const double steep = steepness(*mapped->look.pixel_from_plate);
+      const double steep = steepness(*mapped->inspection.pixel_from_plate);
       if (steep > most) {
         most = steep;
         best = static_cast<int>(c);

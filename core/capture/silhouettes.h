@@ -61,16 +61,16 @@ bool mayBeSeveral(const MapPiece& piece);
 
 /// inspectPlate with the map that it counted on; an empty map where the plate's place is not seen.
 struct MappedInspection {
-  PlateInspection look;
+  PlateInspection inspection;
   PlateMap map;
 };
 Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Plate& plate,
                                        const InspectionOptions& options);
 
-/// A photograph of a side; without a look it is read from its file.
+/// A photograph of a side; without an inspection it is read from its file.
 struct SidePhotograph {
   std::filesystem::path file;
-  std::shared_ptr<const MappedInspection> look;
+  std::shared_ptr<const MappedInspection> inspection;
 };
 /// As checkSide of shot_checks.h, without looking again at what was looked at.
 SideCheck checkSide(const std::vector<std::vector<SidePhotograph>>& photographs,

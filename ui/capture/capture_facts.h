@@ -20,7 +20,7 @@ enum class CapturePhase {
 /// A picture of the plate and what is seen on it.
 struct PlatePicture {
   QImage image;
-  capture::PlateInspection look;
+  capture::PlateInspection inspection;
   capture::Clearance room;  ///< for more, while sherds are being placed
   QStringList codes;        ///< QR codes that lie in sight while sherds are being placed
 };

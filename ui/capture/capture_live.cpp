@@ -31,18 +31,20 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate,
                                static_cast<int>(bytes.size())))
     return Error{ErrorCode::UnusableInput, "The camera's picture cannot be read.", {}};
   if (look_for == LookFor::Sherds) {
-    Result<capture::PlateInspection> look = capture::inspectPlate(bytes, plate, {});
-    if (!look) return look.error();
-    seen.look = std::move(*look);
+    Result<capture::PlateInspection> inspection = capture::inspectPlate(bytes, plate, {});
+    if (!inspection) return inspection.error();
+    seen.inspection = std::move(*inspection);
   } else {
-    Result<capture::LookWithRoom> look = capture::lookForRoom(bytes, plate, {}, {});
-    if (!look) return look.error();
-    seen.look = std::move(look->look);
-    seen.room = std::move(look->room);
+    Result<capture::InspectionWithClearance> inspection =
+        capture::lookForRoom(bytes, plate, {}, {});
+    if (!inspection) return inspection.error();
+    seen.inspection = std::move(inspection->inspection);
+    seen.room = std::move(inspection->room);
     if (const auto codes = capture::codesIn(bytes))
       for (const std::string& code : *codes) seen.codes << QString::fromStdString(code);
   }
-  if (seen.look.width > kFrontPicture.width() || seen.look.height > kFrontPicture.height())
+  if (seen.inspection.width > kFrontPicture.width() ||
+      seen.inspection.height > kFrontPicture.height())
     seen.image = seen.image.scaled(kFrontPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   return seen;
 }
@@ -135,20 +137,20 @@ void CaptureWizard::lookAtFront() {
       start(makeJob(tr("Front picture"),
                     [file, uncounted, plate = devices_->plate, check = source_.check](
                         Progress&, std::stop_token stop) -> Result<FrontLook> {
-                      FrontLook look;
+                      FrontLook inspection;
                       const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
                       if (bytes)
                         if (Result<PlatePicture> seen = lookAt(*bytes, plate, LookFor::Sherds))
-                          look.picture = std::move(*seen);
-                      if (!uncounted.empty()) look.check = check(uncounted, plate, {}, stop);
-                      return look;
+                          inspection.picture = std::move(*seen);
+                      if (!uncounted.empty()) inspection.check = check(uncounted, plate, {}, stop);
+                      return inspection;
                     }));
   connect(front_job_, &JobHandle::finished, this,
           [this, number = batch_.number()](const JobOutcome& outcome) {
-            Result<FrontLook> look = outcomeAs<FrontLook>(outcome);
-            if (!look || number != batch_.number()) return;
-            if (look->picture) front_picture_ = std::move(look->picture);
-            if (look->check) takeFrontCount(*look->check);
+            Result<FrontLook> inspection = outcomeAs<FrontLook>(outcome);
+            if (!inspection || number != batch_.number()) return;
+            if (inspection->picture) front_picture_ = std::move(inspection->picture);
+            if (inspection->check) takeFrontCount(*inspection->check);
             emit liveChanged();
           });
 }

@@ -431,7 +431,7 @@ void CaptureScreen::followLive() {
                      phase == CapturePhase::Done ? QString() : tr("Loading picture…"));
   facts_->setFacts(wizard_->facts());
   numbers_->follow(session_, wizard_->batchNumber(),
-                   front ? &wizard_->frontPicture()->look : nullptr);
+                   front ? &wizard_->frontPicture()->inspection : nullptr);
   const bool typing = front && numbers_->count() > 0;
   number_edit_->setVisible(typing);
   number_->setEnabled(typing);

@@ -99,8 +99,8 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   if (phase_ == CapturePhase::Flip && (summary_[0] || front_picture_)) {
     // After a start the fronts are known by their picture only.
     const int front = summary_[0] ? summary_[0]->check.sherds
-                                  : static_cast<int>(front_picture_->look.sherds.size());
-    const int now = live_ ? static_cast<int>(live_->look.sherds.size()) : -1;
+                                  : static_cast<int>(front_picture_->inspection.sherds.size());
+    const int now = live_ ? static_cast<int>(live_->inspection.sherds.size()) : -1;
     facts.push_back({now < 0 || now == front,
                      now < 0 ? tr("Front: %n sherd(s)", nullptr, front)
                              : tr("Front: %1 sherds, now %2 are seen").arg(front).arg(now)});
@@ -123,39 +123,41 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     remind();
     return facts;
   }
-  const capture::PlateInspection& look = live_->look;
+  const capture::PlateInspection& inspection = live_->inspection;
   if (phase_ == CapturePhase::Place)
-    facts.push_back({!look.sherds.empty() && look.too_close.empty(),
-                     tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});
+    facts.push_back({!inspection.sherds.empty() && inspection.too_close.empty(),
+                     tr("%n sherd(s) seen", nullptr, static_cast<int>(inspection.sherds.size()))});
   if (phase_ == CapturePhase::Place && batch_.counted() > 0)
-    facts.push_back({static_cast<int>(look.sherds.size()) == batch_.counted(),
+    facts.push_back({static_cast<int>(inspection.sherds.size()) == batch_.counted(),
                      tr("You counted %1").arg(batch_.counted())});
-  if (phase_ == CapturePhase::Place && look.pixel_from_plate)
+  if (phase_ == CapturePhase::Place && inspection.pixel_from_plate)
     facts.push_back({true, live_->room.places.empty()
                                ? tr("No room for more")
                                : tr("Room for about %n more", nullptr,
                                     static_cast<int>(live_->room.places.size()))});
-  for (const auto& [a, b] : look.too_close)
+  for (const auto& [a, b] : inspection.too_close)
     facts.push_back({false, a == b ? tr("%1 may be two sherds, too close together").arg(a + 1)
                                    : tr("%1 and %2 lie too close together").arg(a + 1).arg(b + 1)});
-  for (std::size_t i = 0; i < look.sherds.size(); ++i)
-    if (look.sherds[i].cut_off)
+  for (std::size_t i = 0; i < inspection.sherds.size(); ++i)
+    if (inspection.sherds[i].cut_off)
       facts.push_back({false, tr("%1 reaches out of the picture").arg(i + 1)});
-  const int needed = capture::markersNeeded(look.markers_on_plate);
-  facts.push_back({look.markers_seen >= needed,
-                   look.markers_seen >= needed
-                       ? tr("Markers %1 of %2").arg(look.markers_seen).arg(look.markers_on_plate)
-                       : tr("Markers %1 of %2, %3 needed")
-                             .arg(look.markers_seen)
-                             .arg(look.markers_on_plate)
-                             .arg(needed)});
-  if (look.dark_share > 0.02)
+  const int needed = capture::markersNeeded(inspection.markers_on_plate);
+  facts.push_back(
+      {inspection.markers_seen >= needed,
+       inspection.markers_seen >= needed
+           ? tr("Markers %1 of %2").arg(inspection.markers_seen).arg(inspection.markers_on_plate)
+           : tr("Markers %1 of %2, %3 needed")
+                 .arg(inspection.markers_seen)
+                 .arg(inspection.markers_on_plate)
+                 .arg(needed)});
+  if (inspection.dark_share > 0.02)
     facts.push_back(
-        {false, tr("%1 % of the sherds is too dark").arg(qRound(100 * look.dark_share))});
-  if (look.bright_share > 0.02)
+        {false, tr("%1 % of the sherds is too dark").arg(qRound(100 * inspection.dark_share))});
+  if (inspection.bright_share > 0.02)
     facts.push_back(
-        {false, tr("%1 % of the sherds is too bright").arg(qRound(100 * look.bright_share))});
-  if (look.dark_share <= 0.02 && look.bright_share <= 0.02 && !look.sherds.empty())
+        {false, tr("%1 % of the sherds is too bright").arg(qRound(100 * inspection.bright_share))});
+  if (inspection.dark_share <= 0.02 && inspection.bright_share <= 0.02 &&
+      !inspection.sherds.empty())
     facts.push_back({true, tr("Lighting OK")});
   remind();
   return facts;

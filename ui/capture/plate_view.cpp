@@ -36,9 +36,9 @@ QSize PlateView::sizeHint() const {
 void PlateView::setPicture(const std::optional<PlatePicture>& picture, const QString& otherwise) {
   picture_ = picture;
   otherwise_ = otherwise;
-  setAccessibleDescription(
-      picture_ ? tr("%n sherd(s) seen", nullptr, static_cast<int>(picture_->look.sherds.size()))
-               : otherwise);
+  setAccessibleDescription(picture_ ? tr("%n sherd(s) seen", nullptr,
+                                         static_cast<int>(picture_->inspection.sherds.size()))
+                                    : otherwise);
   update();
 }
 
@@ -55,8 +55,8 @@ void PlateView::paintEvent(QPaintEvent*) {
   }
   const QRectF where = target();
   painter.drawImage(where, picture_->image);
-  if (picture_->look.width <= 0) return;
-  const double scale = where.width() / picture_->look.width;
+  if (picture_->inspection.width <= 0) return;
+  const double scale = where.width() / picture_->inspection.width;
   painter.save();
   painter.translate(where.topLeft());
   drawFreePlaces(painter, scale);
@@ -80,13 +80,13 @@ void PlateView::setNumbers(const QStringList& numbers, int chosen) {
 
 void PlateView::mousePressEvent(QMouseEvent* event) {
   QWidget::mousePressEvent(event);
-  if (!picture_ || picture_->look.width <= 0) return;
+  if (!picture_ || picture_->inspection.width <= 0) return;
   const QRectF where = target();
   const QPointF pixel =
-      (event->position() - where.topLeft()) * (picture_->look.width / where.width());
-  for (std::size_t i = 0; i < picture_->look.sherds.size(); ++i) {
+      (event->position() - where.topLeft()) * (picture_->inspection.width / where.width());
+  for (std::size_t i = 0; i < picture_->inspection.sherds.size(); ++i) {
     QPolygonF outline;
-    for (const Eigen::Vector2f& p : picture_->look.sherds[i].outline_px)
+    for (const Eigen::Vector2f& p : picture_->inspection.sherds[i].outline_px)
       outline << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y()));
     if (outline.containsPoint(pixel, Qt::OddEvenFill))
       return emit sherdClicked(static_cast<int>(i));
@@ -95,8 +95,8 @@ void PlateView::mousePressEvent(QMouseEvent* event) {
 
 // Where more may lie: shaded, and edged by dots, so that nobody takes them for sherds.
 void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
-  const capture::PlateInspection& look = picture_->look;
-  if (!look.pixel_from_plate) return;
+  const capture::PlateInspection& inspection = picture_->inspection;
+  if (!inspection.pixel_from_plate) return;
   constexpr int kCorners = 36;
   painter.setBrush(photographInks().free_place);
   painter.setPen(QPen(photographInks().line, lineWidth(*this, 1), Qt::DotLine));
@@ -107,7 +107,7 @@ void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
       const Eigen::Vector2d at =
           place + picture_->room.extent_mm / 2 * Eigen::Vector2d(std::cos(turn), std::sin(turn));
       const Eigen::Vector2d pixel =
-          (*look.pixel_from_plate * Eigen::Vector3d(at.x(), at.y(), 1)).hnormalized();
+          (*inspection.pixel_from_plate * Eigen::Vector3d(at.x(), at.y(), 1)).hnormalized();
       disc << QPointF(pixel.x(), pixel.y()) * scale;
     }
     painter.drawPolygon(disc);
@@ -118,7 +118,7 @@ void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
 // by dashes, so that a hand or a shadow is seen before anybody shoots.
 void PlateView::drawMarks(QPainter& painter, double scale) const {
   painter.setBrush(Qt::NoBrush);
-  for (const capture::PlateMark& mark : picture_->look.marks) {
+  for (const capture::PlateMark& mark : picture_->inspection.marks) {
     QPolygonF corners;
     for (const Eigen::Vector2f& p : mark.corners_px)
       corners << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y())) * scale;
@@ -137,7 +137,7 @@ void PlateView::drawMarks(QPainter& painter, double scale) const {
 void PlateView::drawSherds(QPainter& painter, double scale) const {
   const double line = lineWidth(*this, 2);
   const QColor good = photographInks().good, bad = photographInks().bad;
-  const auto& sherds = picture_->look.sherds;
+  const auto& sherds = picture_->inspection.sherds;
   std::vector<QPointF> centres;
   for (const capture::SeenSherd& sherd : sherds) {
     QPolygonF outline;
@@ -151,7 +151,7 @@ void PlateView::drawSherds(QPainter& painter, double scale) const {
         QPen(sherd.cut_off ? bad : good, line, sherd.cut_off ? Qt::DashLine : Qt::SolidLine));
     painter.drawPolygon(outline);
   }
-  for (const auto& [a, b] : picture_->look.too_close) {
+  for (const auto& [a, b] : picture_->inspection.too_close) {
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
     if (i >= centres.size() || j >= centres.size()) continue;
     painter.setPen(QPen(bad, line * 3, Qt::SolidLine, Qt::RoundCap));
@@ -174,8 +174,8 @@ void PlateView::drawSherds(QPainter& painter, double scale) const {
 }
 
 void PlateView::drawScaleBar(QPainter& painter, const QRectF& picture, double scale) const {
-  if (!picture_->look.pixel_from_plate) return;
-  const Eigen::Matrix3d& h = *picture_->look.pixel_from_plate;
+  if (!picture_->inspection.pixel_from_plate) return;
+  const Eigen::Matrix3d& h = *picture_->inspection.pixel_from_plate;
   const Eigen::Vector2d left = (h * Eigen::Vector3d(-kScaleBar_mm / 2, 0, 1)).hnormalized();
   const Eigen::Vector2d right = (h * Eigen::Vector3d(kScaleBar_mm / 2, 0, 1)).hnormalized();
   const double length = (right - left).norm() * scale;

@@ -23,10 +23,10 @@ bool isPlausible(const QString& typed) {
 }  // namespace
 
 void SherdNumbers::follow(ProjectSession* session, const QString& batch,
-                          const capture::PlateInspection* look) {
+                          const capture::PlateInspection* inspection) {
   std::vector<Eigen::Vector2d> places;
-  if (session != nullptr && look != nullptr && look->pixel_from_plate)
-    for (const capture::SeenSherd& sherd : look->sherds) places.push_back(sherd.centre_mm);
+  if (session != nullptr && inspection != nullptr && inspection->pixel_from_plate)
+    for (const capture::SeenSherd& sherd : inspection->sherds) places.push_back(sherd.centre_mm);
   if (session == session_ && batch == batch_ && places == places_mm_) return;
   session_ = session;
   batch_ = batch;

@@ -19,7 +19,8 @@ class SherdNumbers final : public QObject {
  public:
   using QObject::QObject;
   /// The sherds of this batch as the picture of its fronts shows them; null: none are shown.
-  void follow(ProjectSession* session, const QString& batch, const capture::PlateInspection* look);
+  void follow(ProjectSession* session, const QString& batch,
+              const capture::PlateInspection* inspection);
 
   int count() const { return static_cast<int>(places_mm_.size()); }
   QString of(int sherd) const { return numbers_.value(sherd); }  ///< empty: none was typed

@@ -20,26 +20,26 @@ using testing::flatPlate;
 using testing::FlatScene;
 
 PlateInspection lookAt(const FlatScene& scene, int camera, double degrees) {
-  const auto look = inspectPlate(flatPicture(scene, camera, degrees, ""), flatPlate(), {});
-  EXPECT_TRUE(look.has_value());
-  return look ? *look : PlateInspection{};
+  const auto inspection = inspectPlate(flatPicture(scene, camera, degrees, ""), flatPlate(), {});
+  EXPECT_TRUE(inspection.has_value());
+  return inspection ? *inspection : PlateInspection{};
 }
 
 TEST(LookAtPlate, FindsTheMarkersAndTheSherdsInTheirPlaces) {
-  const PlateInspection look = lookAt({}, 1, 0);
-  EXPECT_EQ(look.width, 640);
-  EXPECT_EQ(look.markers_seen, 12);
-  EXPECT_EQ(look.markers_on_plate, 12);
-  ASSERT_EQ(look.sherds.size(), 3u);
+  const PlateInspection inspection = lookAt({}, 1, 0);
+  EXPECT_EQ(inspection.width, 640);
+  EXPECT_EQ(inspection.markers_seen, 12);
+  EXPECT_EQ(inspection.markers_on_plate, 12);
+  ASSERT_EQ(inspection.sherds.size(), 3u);
   // In the order of the results, where flat_rig.h paints them; a map's pixel is 0.5 mm.
   const FlatScene painted;
   const std::size_t order[] = {1, 0, 2};  // at y = 50, 30 and -40
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(look.sherds[i].centre_mm.x(), painted.sherds[order[i]].x_mm, 0.7);
-    EXPECT_NEAR(look.sherds[i].centre_mm.y(), painted.sherds[order[i]].y_mm, 0.7);
-    EXPECT_FALSE(look.sherds[i].cut_off);
+    EXPECT_NEAR(inspection.sherds[i].centre_mm.x(), painted.sherds[order[i]].x_mm, 0.7);
+    EXPECT_NEAR(inspection.sherds[i].centre_mm.y(), painted.sherds[order[i]].y_mm, 0.7);
+    EXPECT_FALSE(inspection.sherds[i].cut_off);
   }
-  EXPECT_TRUE(look.too_close.empty());
+  EXPECT_TRUE(inspection.too_close.empty());
 }
 
 TEST(LookAtPlate, SeesSherdsThatLieTooClose) {
@@ -63,8 +63,8 @@ TEST(LookAtPlate, DoubtsAnOutlineThatLooksLikeTwoSherds) {
   for (const double gap :
        {-8.0, -1.0, 0.0, 0.5, 1.0, 2.0}) {  // sherds that hide each other, touch, nearly do
     scene.sherds = {{-30, 0, 15}, {gap, 0, 15}, {-20, 60, 15}};
-    const PlateInspection look = lookAt(scene, 1, 0);
-    EXPECT_EQ(look.too_close.size(), 1u) << gap;
+    const PlateInspection inspection = lookAt(scene, 1, 0);
+    EXPECT_EQ(inspection.too_close.size(), 1u) << gap;
   }
 }
 
@@ -94,9 +94,10 @@ TEST(CheckSide, TellsBeforeTheFlipThatOneOutlineMayBeTwoSherds) {
   scene.sherds = {{-30, 0, 15}, {-8, 0, 15}, {-20, 60, 15}};  // the neck is 0.68 of a width
   std::vector<std::vector<SidePhotograph>> photographs(1);
   for (const double degrees : {0.0, 120.0, 240.0}) {
-    auto look = inspectAndMap(flatPicture(scene, 2, degrees, ""), flatPlate(), {});
-    ASSERT_TRUE(look.has_value());
-    photographs[0].push_back({{}, std::make_shared<const MappedInspection>(std::move(*look))});
+    auto inspection = inspectAndMap(flatPicture(scene, 2, degrees, ""), flatPlate(), {});
+    ASSERT_TRUE(inspection.has_value());
+    photographs[0].push_back(
+        {{}, std::make_shared<const MappedInspection>(std::move(*inspection))});
   }
   const SideCheck check = checkSide(photographs, flatPlate(), {}, {});
   EXPECT_EQ(check.sherds, 2);
@@ -109,10 +110,10 @@ TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {
   FlatScene scene;
   scene.shift_mm = 150;
   scene.sherds = {{-60, 0, 15}, {98, 0, 15}};
-  const PlateInspection look = lookAt(scene, 2, 0);
-  ASSERT_EQ(look.sherds.size(), 2u);
-  EXPECT_FALSE(look.sherds[0].cut_off);
-  EXPECT_TRUE(look.sherds[1].cut_off);
+  const PlateInspection inspection = lookAt(scene, 2, 0);
+  ASSERT_EQ(inspection.sherds.size(), 2u);
+  EXPECT_FALSE(inspection.sherds[0].cut_off);
+  EXPECT_TRUE(inspection.sherds[1].cut_off);
 }
 
 TEST(LookAtPlate, FindsNothingOnAnEmptyPlate) {
@@ -142,10 +143,10 @@ PlateInspection lookAtWorse(const Worsen& worsen) {
   worsen(picture);
   std::vector<uchar> bytes;
   cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 92});
-  const auto look =
+  const auto inspection =
       inspectPlate({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, flatPlate(), {});
-  EXPECT_TRUE(look.has_value());
-  return look ? *look : PlateInspection{};
+  EXPECT_TRUE(inspection.has_value());
+  return inspection ? *inspection : PlateInspection{};
 }
 
 // Twice the stops are four times the light; pixels hold its 2.2th root.
@@ -170,24 +171,26 @@ void expectMarksInPlace(const PlateInspection& worse, double within_px) {
 
 TEST(LookAtPlate, FindsTheMarkersTwoStopsTooDarkAndTwoTooBright) {
   for (const double stops : {-2.0, 2.0}) {
-    const PlateInspection look = lookAtWorse([&](cv::Mat3b& picture) { expose(picture, stops); });
-    EXPECT_EQ(look.markers_seen, 12) << stops;
-    expectMarksInPlace(look, 2);  // burnt-out paper eats into the black: 1.5 px of a mark's 60
+    const PlateInspection inspection =
+        lookAtWorse([&](cv::Mat3b& picture) { expose(picture, stops); });
+    EXPECT_EQ(inspection.markers_seen, 12) << stops;
+    expectMarksInPlace(inspection,
+                       2);  // burnt-out paper eats into the black: 1.5 px of a mark's 60
   }
 }
 
 TEST(LookAtPlate, FindsTheMarkersInABlurredPicture) {
-  const PlateInspection look = lookAtWorse([](cv::Mat3b& picture) {
+  const PlateInspection inspection = lookAtWorse([](cv::Mat3b& picture) {
     cv::GaussianBlur(picture, picture, {0, 0}, 3);
   });
-  EXPECT_GE(look.markers_seen, markersNeeded(12));
-  expectMarksInPlace(look, 2);  // half of the blur
+  EXPECT_GE(inspection.markers_seen, markersNeeded(12));
+  expectMarksInPlace(inspection, 2);  // half of the blur
 }
 
 TEST(LookAtPlate, ShowsWhereTheMarkersAreThatGlareHides) {
   const PlateInspection good = lookAtWorse([](cv::Mat3b&) {});
   const Eigen::Vector2f at = good.marks[2].corners_px[0];
-  const PlateInspection look = lookAtWorse([&](cv::Mat3b& picture) {
+  const PlateInspection inspection = lookAtWorse([&](cv::Mat3b& picture) {
     cv::Mat3f glare(picture.size(), cv::Vec3f(0, 0, 0));
     cv::circle(glare, cv::Point(cvRound(at.x()), cvRound(at.y())), 70, {700, 700, 700}, cv::FILLED);
     cv::GaussianBlur(glare, glare, {0, 0}, 25);
@@ -196,15 +199,15 @@ TEST(LookAtPlate, ShowsWhereTheMarkersAreThatGlareHides) {
     lit += glare;
     lit.convertTo(picture, CV_8U);
   });
-  EXPECT_LT(look.markers_seen, 12);  // the light really hides one
-  EXPECT_GE(look.markers_seen, markersNeeded(12));
-  expectMarksInPlace(look, 1.5);
+  EXPECT_LT(inspection.markers_seen, 12);  // the light really hides one
+  EXPECT_GE(inspection.markers_seen, markersNeeded(12));
+  expectMarksInPlace(inspection, 1.5);
 }
 
 TEST(LookAtPlate, ShowsWhereTheMarkersAreWithAThirdOfThemHidden) {
   const PlateInspection good = lookAtWorse([](cv::Mat3b&) {});
   const std::vector<int> hidden{1, 4, 5, 9};
-  const PlateInspection look = lookAtWorse([&](cv::Mat3b& picture) {
+  const PlateInspection inspection = lookAtWorse([&](cv::Mat3b& picture) {
     for (const PlateMark& mark : good.marks) {
       if (std::find(hidden.begin(), hidden.end(), mark.id) == hidden.end()) continue;
       std::vector<cv::Point> cloth;
@@ -213,19 +216,19 @@ TEST(LookAtPlate, ShowsWhereTheMarkersAreWithAThirdOfThemHidden) {
       cv::fillConvexPoly(picture, cloth, {90, 90, 90});
     }
   });
-  EXPECT_EQ(look.markers_seen, 8);
-  for (const PlateMark& mark : look.marks)
+  EXPECT_EQ(inspection.markers_seen, 8);
+  for (const PlateMark& mark : inspection.marks)
     EXPECT_EQ(mark.seen, std::find(hidden.begin(), hidden.end(), mark.id) == hidden.end())
         << mark.id;
-  expectMarksInPlace(look, 1.5);  // of hidden ones: the plane through the others'
+  expectMarksInPlace(inspection, 1.5);  // of hidden ones: the plane through the others'
 }
 
 TEST(LookAtPlate, RefusesWhatIsCutOff) {
   std::string picture = flatPicture({}, 0, 0, "");
   picture.resize(picture.size() - 200);
-  const auto look = inspectPlate(picture, flatPlate(), {});
-  ASSERT_FALSE(look.has_value());
-  EXPECT_EQ(look.error().code, ErrorCode::UnusableInput);
+  const auto inspection = inspectPlate(picture, flatPlate(), {});
+  ASSERT_FALSE(inspection.has_value());
+  EXPECT_EQ(inspection.error().code, ErrorCode::UnusableInput);
   EXPECT_FALSE(inspectPlate("", flatPlate(), {}).has_value());
 }
 
@@ -241,21 +244,21 @@ TEST(TurnBetween, IsTheTableTurnWithoutAnyCalibration) {
 TEST(Judge, TellsAPhotographOfAnotherStop) {
   CameraReference reference;
   learn(reference, lookAt({}, 0, 0), 0);
-  const ShotCheck right = judge(lookAt({}, 0, 45), 45, reference, {});
+  const ShotCheck right = checkOf(lookAt({}, 0, 45), 45, reference, {});
   EXPECT_TRUE(right.good());
   EXPECT_NEAR(*right.angle_seen_deg, 45, 0.1);
-  const ShotCheck round = judge(lookAt({}, 0, 45), 405, reference, {});
+  const ShotCheck round = checkOf(lookAt({}, 0, 45), 405, reference, {});
   EXPECT_TRUE(round.good());
-  const ShotCheck wrong = judge(lookAt({}, 0, 45), 90, reference, {});
+  const ShotCheck wrong = checkOf(lookAt({}, 0, 45), 90, reference, {});
   EXPECT_TRUE(wrong.has(ShotProblem::WrongStop));
   EXPECT_FALSE(wrong.keepable());
 }
 
 TEST(Judge, TellsLightThatDoesNotSuffice) {
-  PlateInspection look = lookAt({}, 0, 0);
-  look.dark_share = 0.5;
-  look.bright_share = 0.1;
-  const ShotCheck check = judge(look, 0, {}, {});
+  PlateInspection inspection = lookAt({}, 0, 0);
+  inspection.dark_share = 0.5;
+  inspection.bright_share = 0.1;
+  const ShotCheck check = checkOf(inspection, 0, {}, {});
   EXPECT_TRUE(check.has(ShotProblem::TooDark));
   EXPECT_TRUE(check.has(ShotProblem::TooBright));
   EXPECT_TRUE(check.keepable());
@@ -268,9 +271,9 @@ TEST(Judge, AsksAgainWhenMarkersAreHidden) {
   learn(reference, open, 0);
   PlateInspection hidden = open;
   hidden.markers_seen = 5;
-  EXPECT_TRUE(judge(hidden, 0, reference, {}).again());
+  EXPECT_TRUE(checkOf(hidden, 0, reference, {}).again());
   hidden.markers_seen = 6;
-  EXPECT_FALSE(judge(hidden, 0, reference, {}).again());
+  EXPECT_FALSE(checkOf(hidden, 0, reference, {}).again());
 }
 
 }  // namespace

@@ -384,15 +384,16 @@ class CaptureScreenTest : public QObject {
     batch.bags = {{*bag}};
     const auto row = rows.addBatch(batch, {});
     QVERIFY(row.has_value());
-    capture::PlateInspection look;
-    look.pixel_from_plate = Eigen::Matrix3d::Identity();
-    look.sherds.resize(3);
-    for (const int i : {0, 1, 2}) look.sherds[static_cast<std::size_t>(i)].centre_mm = {60 * i, 5};
+    capture::PlateInspection inspection;
+    inspection.pixel_from_plate = Eigen::Matrix3d::Identity();
+    inspection.sherds.resize(3);
+    for (const int i : {0, 1, 2})
+      inspection.sherds[static_cast<std::size_t>(i)].centre_mm = {60 * i, 5};
     SherdNumbers numbers;
     NumberEdit edit(&numbers);
     edit.show();
     auto* line = edit.findChild<QLineEdit*>("sherdNumber");
-    numbers.follow(session_.get(), "B0001", &look);
+    numbers.follow(session_.get(), "B0001", &inspection);
     QCOMPARE(numbers.count(), 3);
     QSignalSpy finished(&edit, &NumberEdit::finished);
     edit.choose(0);
@@ -433,9 +434,9 @@ class CaptureScreenTest : public QObject {
     QCOMPARE(numbers.of(1), QString());
     QCOMPARE(finished.count(), 2);
     // The fronts are photographed again: the numbers stay where the sherds lie.
-    std::swap(look.sherds[0], look.sherds[2]);
-    look.sherds[0].centre_mm.x() += 3;
-    numbers.follow(session_.get(), "B0001", &look);
+    std::swap(inspection.sherds[0], inspection.sherds[2]);
+    inspection.sherds[0].centre_mm.x() += 3;
+    numbers.follow(session_.get(), "B0001", &inspection);
     QCOMPARE(numbers.all(), (QStringList{"OLD-9", {}, "ARM1-T3-0012-0007"}));
     QCOMPARE(numbers.give(0, {}), QString());
     QCOMPARE(numbers.of(0), QString());

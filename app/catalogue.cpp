@@ -23,16 +23,16 @@ namespace ostraka::app {
 namespace {
 
 namespace fs = std::filesystem;
-using catalogue::Project;
 using exchange::Form;
+using upkeep::Project;
 
 constexpr const char* kProgram = "ostraka " OSTRAKA_VERSION;
-const catalogue::Provenance kAct = {{}, "command line", {}};
+const records::Provenance kAct = {{}, "command line", {}};
 
 struct Options {
   fs::path project, other, output, refusals;
   std::string filter, batch;
-  catalogue::ProjectRecord record;
+  records::ProjectRecord record;
   std::vector<Form> forms;
   std::vector<std::string> columns, confirmed;
   double lighter_mm = 0;
@@ -49,23 +49,23 @@ int said(Session& session, nlohmann::ordered_json json, const std::string& words
   return json["exit_status"];
 }
 
-const char* chosenBy(exchange::ChosenBy by) {
+const char* chosenBy(tables::ChosenBy by) {
   switch (by) {
-    case exchange::ChosenBy::Name:
+    case tables::ChosenBy::Name:
       return "by its name";
-    case exchange::ChosenBy::Earlier:
+    case tables::ChosenBy::Earlier:
       return "as in the last table with these columns";
-    case exchange::ChosenBy::Person:
+    case tables::ChosenBy::Person:
       return "as --map says";
-    case exchange::ChosenBy::Nobody:
+    case tables::ChosenBy::Nobody:
       break;
   }
   return "a custom field";
 }
 
 // What was mapped, a line a column.
-void printMapping(const exchange::TableMapping& mapping) {
-  for (const exchange::ColumnChoice& choice : mapping.columns) {
+void printMapping(const tables::TableMapping& mapping) {
+  for (const tables::ColumnChoice& choice : mapping.columns) {
     const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
     std::fprintf(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
                  choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
@@ -73,9 +73,9 @@ void printMapping(const exchange::TableMapping& mapping) {
   }
 }
 
-nlohmann::ordered_json mappingJson(const exchange::TableMapping& mapping) {
+nlohmann::ordered_json mappingJson(const tables::TableMapping& mapping) {
   nlohmann::ordered_json columns = nlohmann::ordered_json::array();
-  for (const exchange::ColumnChoice& choice : mapping.columns)
+  for (const tables::ColumnChoice& choice : mapping.columns)
     columns.push_back({{"column", choice.column},
                        {"field", choice.field},
                        {"unit", choice.unit},
@@ -84,9 +84,9 @@ nlohmann::ordered_json mappingJson(const exchange::TableMapping& mapping) {
   return columns;
 }
 
-nlohmann::ordered_json refusalsJson(const std::vector<exchange::Refusal>& refusals) {
+nlohmann::ordered_json refusalsJson(const std::vector<tables::Refusal>& refusals) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const exchange::Refusal& refusal : refusals)
+  for (const tables::Refusal& refusal : refusals)
     list.push_back({{"line", refusal.line},
                     {"column", refusal.column},
                     {"value", refusal.value},
@@ -94,17 +94,16 @@ nlohmann::ordered_json refusalsJson(const std::vector<exchange::Refusal>& refusa
   return list;
 }
 
-int reported(Session& session, const exchange::ImportReport& report, const Options& options) {
+int reported(Session& session, const tables::ImportReport& report, const Options& options) {
   if (!options.refusals.empty()) {
-    const Result<void> written =
-        writeFileAtomically(options.refusals, exchange::refusalsCsv(report));
+    const Result<void> written = writeFileAtomically(options.refusals, tables::refusalsCsv(report));
     if (!written) return fail(session, written.error());
   }
   session.finishProgress();
   if (!session.json) {
     printMapping(report.mapping);
     for (const auto* list : {&report.refusals, &report.questions})
-      for (const exchange::Refusal& refusal : *list)
+      for (const tables::Refusal& refusal : *list)
         std::fprintf(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
                      refusal.value.c_str(), refusal.reason.c_str(),
                      list == &report.questions ? (" Not entered; --confirm " +
@@ -133,16 +132,16 @@ int reported(Session& session, const exchange::ImportReport& report, const Optio
                   (options.enter ? "." : "; a preview: nothing was entered, --enter does it."));
 }
 
-exchange::ImportMode modeOf(const Options& options) {
-  return options.enter ? exchange::ImportMode::Enter : exchange::ImportMode::Preview;
+tables::ImportMode modeOf(const Options& options) {
+  return options.enter ? tables::ImportMode::Enter : tables::ImportMode::Preview;
 }
 
-Result<exchange::ImportOptions> importOptions(const Options& options) {
-  exchange::ImportOptions how;
+Result<tables::ImportOptions> importOptions(const Options& options) {
+  tables::ImportOptions how;
   how.mode = modeOf(options);
-  if (options.make_places) how.unknown_places = exchange::UnknownPlaces::Make;
+  if (options.make_places) how.unknown_places = tables::UnknownPlaces::Make;
   for (const std::string& text : options.columns) {
-    Result<exchange::ColumnChoice> choice = exchange::parseColumnChoice(text);
+    Result<tables::ColumnChoice> choice = tables::parseColumnChoice(text);
     if (!choice) return choice.error();
     how.columns.push_back(std::move(*choice));
   }
@@ -150,7 +149,7 @@ Result<exchange::ImportOptions> importOptions(const Options& options) {
     int line = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), line);
     if (text == "all")
-      how.asked_rows = exchange::AskedRows::Enter;
+      how.asked_rows = tables::AskedRows::Enter;
     else if (code == std::errc() && end == text.data() + text.size() && line > 0)
       how.confirmed_lines.insert(line);
     else
@@ -179,12 +178,12 @@ int runImport(const Options& options, Session& session) {
   }
   const Result<std::string> bytes = readFile(options.other, limits::kTableBytes.most);
   if (!bytes) return fail(session, bytes.error());
-  const Result<exchange::ImportOptions> how = importOptions(options);
+  const Result<tables::ImportOptions> how = importOptions(options);
   if (!how) return fail(session, how.error());
   if (options.enter)
     if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
-  const auto report = exchange::importTable(project->catalogue(), *bytes, options.other.string(),
-                                            *how, kAct, session.progress, session.stop);
+  const auto report = tables::importTable(project->catalogue(), *bytes, options.other.string(),
+                                          *how, kAct, session.progress, session.stop);
   if (report && report->not_reached > 0)
     std::fprintf(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
                  report->not_reached);
@@ -227,9 +226,9 @@ int runEnter(const Options& options, Session& session) {
   const auto batch = project->catalogue().batchByNumber(options.batch);
   if (!batch) return fail(session, batch.error());
   session.progress.begin("enter", 1.0);
-  const auto entered = catalogue::enterResults(project->catalogue(), project->folder(), batch->row,
-                                               project->resultsFolder(options.batch), kAct,
-                                               session.progress, session.stop);
+  const auto entered = intake::enterResults(project->catalogue(), project->folder(), batch->row,
+                                            project->resultsFolder(options.batch), kAct,
+                                            session.progress, session.stop);
   if (!entered) return fail(session, entered.error());
   if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
   return said(session,
@@ -247,10 +246,10 @@ int runArchive(const Options& options, Session& session) {
   const Result<Project> project = Project::open(options.project);
   if (!project) return fail(session, project.error());
   session.progress.begin("archive", 1.0);
-  const auto done = exchange::archiveProject(
+  const auto done = archive::archiveProject(
       *project,
       {options.output, kProgram,
-       options.with_damage ? exchange::DamagedFiles::Seal : exchange::DamagedFiles::Refuse},
+       options.with_damage ? archive::DamagedFiles::Seal : archive::DamagedFiles::Refuse},
       session.progress, session.stop);
   if (!done) return fail(session, done.error());
   session.finishProgress();
@@ -274,7 +273,7 @@ int runArchive(const Options& options, Session& session) {
 int runRestore(const Options& options, Session& session) {
   session.progress.begin("restore", 1.0);
   const auto done =
-      exchange::restoreProject(options.other, options.output, session.progress, session.stop);
+      archive::restoreProject(options.other, options.output, session.progress, session.stop);
   if (!done) return fail(session, done.error());
   session.finishProgress();
   for (const std::string& line : done->damage) std::fprintf(stderr, "%s\n", line.c_str());
@@ -301,9 +300,9 @@ int runCheck(const Options& options, Session& session) {
     backup = saved->string();
   }
   session.progress.begin("check", 1.0);
-  const auto checked = catalogue::checkFiles(
+  const auto checked = upkeep::checkFiles(
       project->catalogue(), project->folder(),
-      options.quick ? catalogue::CheckDepth::NamesAndSizes : catalogue::CheckDepth::Hashes,
+      options.quick ? upkeep::CheckDepth::NamesAndSizes : upkeep::CheckDepth::Hashes,
       session.progress, session.stop);
   if (!checked)
     return fail(session, checked.error(),
@@ -327,8 +326,8 @@ int runCheck(const Options& options, Session& session) {
 }
 
 // One line for each row: what it is, and where it came from.
-std::string wordsOf(const catalogue::RepairedRow& row, const std::string& backup) {
-  using From = catalogue::RepairedRow::From;
+std::string wordsOf(const upkeep::RepairedRow& row, const std::string& backup) {
+  using From = upkeep::RepairedRow::From;
   std::string words = row.table;
   if (row.row > 0) words += " " + std::to_string(row.row);
   if (!row.name.empty()) words += " (" + row.name + ")";
@@ -340,16 +339,16 @@ std::string wordsOf(const catalogue::RepairedRow& row, const std::string& backup
 
 int runRepair(const Options& options, Session& session) {
   session.progress.begin("repair", 1.0);
-  const auto report = catalogue::repairCatalogue(options.project, session.progress, session.stop);
+  const auto report = upkeep::repairCatalogue(options.project, session.progress, session.stop);
   if (!report) return fail(session, report.error());
   session.finishProgress();
   const std::string backup = report->backup.filename().string();
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   int lost = 0;
-  for (const catalogue::RepairedRow& row : report->rows) {
+  for (const upkeep::RepairedRow& row : report->rows) {
     const std::string words = wordsOf(row, backup);
     rows.push_back(words);
-    lost += row.from == catalogue::RepairedRow::From::Nowhere ? 1 : 0;
+    lost += row.from == upkeep::RepairedRow::From::Nowhere ? 1 : 0;
     if (!session.json) std::printf("%s\n", words.c_str());
   }
   const bool whole = report->damaged.empty();

@@ -5,12 +5,12 @@
 
 namespace ostraka::app {
 
-void printDamage(std::span<const catalogue::DamagedFile> damaged) {
-  for (const catalogue::DamagedFile& file : damaged)
+void printDamage(std::span<const upkeep::DamagedFile> damaged) {
+  for (const upkeep::DamagedFile& file : damaged)
     std::fprintf(stderr, "%s\n", sentenceOf(file).c_str());
 }
 
-nlohmann::ordered_json damageJson(std::span<const catalogue::DamagedFile> damaged) {
+nlohmann::ordered_json damageJson(std::span<const upkeep::DamagedFile> damaged) {
   constexpr const char* kWords[] = {"missing", "changed", "unreadable"};
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [file, damage] : damaged)

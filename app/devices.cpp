@@ -16,12 +16,12 @@ namespace ostraka::app {
 namespace {
 
 // What only the camera itself tells: the number that binds it to its place.
-void askCameras(std::vector<capture::FoundDevice>& devices) {
-  const Result<std::vector<capture::FoundCamera>> cameras = capture::listGphotoCameras();
+void askCameras(std::vector<devices::FoundDevice>& devices) {
+  const Result<std::vector<cameras::FoundCamera>> cameras = cameras::listGphotoCameras();
   if (!cameras) return;
-  for (capture::FoundDevice& device : devices)
-    for (const capture::FoundCamera& camera : *cameras) {
-      if (device.kind != capture::DeviceKind::Camera || device.port != camera.id.port) continue;
+  for (devices::FoundDevice& device : devices)
+    for (const cameras::FoundCamera& camera : *cameras) {
+      if (device.kind != devices::DeviceKind::Camera || device.port != camera.id.port) continue;
       device.model = camera.id.model;
       if (!camera.id.serial.empty()) device.serial = device.address = camera.id.serial;
       if (!camera.trouble.empty() && device.troubles.empty())
@@ -34,12 +34,12 @@ struct DevicesArguments {
 };
 
 int printDevices(Session& session) {
-  std::vector<capture::FoundDevice> devices = capture::findDevices({});
+  std::vector<devices::FoundDevice> devices = devices::findDevices({});
   askCameras(devices);
   if (session.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const capture::FoundDevice& d : devices)
-      list.push_back({{"kind", capture::name(d.kind)},
+    for (const devices::FoundDevice& d : devices)
+      list.push_back({{"kind", devices::name(d.kind)},
                       {"model", d.model},
                       {"serial", d.serial},
                       {"usb", d.usb},
@@ -49,8 +49,8 @@ int printDevices(Session& session) {
     printJson({{"devices", list}, {"exit_status", static_cast<int>(Whole)}});
     return Whole;
   }
-  for (const capture::FoundDevice& d : devices) {
-    std::printf("%s: %s%s%s\n", capture::name(d.kind).c_str(), d.model.c_str(),
+  for (const devices::FoundDevice& d : devices) {
+    std::printf("%s: %s%s%s\n", devices::name(d.kind).c_str(), d.model.c_str(),
                 d.serial.empty() ? "" : ", number ", d.serial.c_str());
     std::printf("  in RIG.json: driver %s, %s\n", d.driver.c_str(),
                 d.address.empty() ? "no address" : d.address.c_str());
@@ -69,7 +69,7 @@ int watchDevices(Session& session) {
   std::mutex guard;
   std::condition_variable_any told;
   bool changed = true;
-  const Result<std::unique_ptr<capture::UsbWatch>> watch = capture::watchUsb(
+  const Result<std::unique_ptr<devices::UsbWatch>> watch = devices::watchUsb(
       [&] {
         const std::lock_guard lock(guard);
         changed = true;
@@ -91,9 +91,9 @@ int watchDevices(Session& session) {
 
 int runDevices(const DevicesArguments& arguments, Session& session) {
   if (arguments.release)
-    if (const Result<void> released = capture::releaseFromDesktop(
-            capture::findDevices({}), capture::programRunner(session.stop),
-            [] { return capture::findDevices({}); });
+    if (const Result<void> released = cameras::releaseFromDesktop(
+            devices::findDevices({}), cameras::programRunner(session.stop),
+            [] { return devices::findDevices({}); });
         !released)
       return fail(session, released.error());
   return arguments.watch ? watchDevices(session) : printDevices(session);

@@ -106,7 +106,7 @@ Finding disk(const fs::path& folder) {
 }
 
 Finding program(const std::string& name, const std::string& use) {
-  const auto found = rig::findProgram(name);
+  const auto found = colmap::findProgram(name);
   if (found) return {State::Good, name, found->string()};
   return {State::Good, name, "not installed; it is optional: " + use};
 }

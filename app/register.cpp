@@ -14,12 +14,12 @@ namespace ostraka::app {
 namespace {
 
 using nlohmann::ordered_json;
-using pipeline::RegisterOptions;
-using pipeline::RegisterSummary;
+using scansets::RegisterOptions;
+using scansets::RegisterSummary;
 
 ordered_json asJson(const RegisterSummary& summary, int status) {
   ordered_json pairs = ordered_json::array();
-  for (const RegisterSummary::Pair& p : summary.pairs) pairs.push_back(pipeline::toJson(p));
+  for (const RegisterSummary::Pair& p : summary.pairs) pairs.push_back(scansets::toJson(p));
   return {{"pairs", pairs},
           {"unpaired_front", summary.unpaired_front},
           {"unpaired_back", summary.unpaired_back},
@@ -56,7 +56,7 @@ void printTable(const RegisterSummary& summary) {
 
 int runRegister(const RegisterOptions& options, Session& session) {
   const Result<RegisterSummary> summary =
-      pipeline::registerScans(options, session.progress, session.stop);
+      scansets::registerScans(options, session.progress, session.stop);
   if (!summary) return fail(session, summary.error());
   const int status = summary->ambiguous() > 0 ? PersonMustDecide
                      : summary->whole()       ? Whole

@@ -12,9 +12,9 @@
 namespace ostraka::app {
 namespace {
 
+using rendering::HandHeldOptions;
+using rendering::PlateColor;
 using virtualrig::Fault;
-using virtualrig::HandHeldOptions;
-using virtualrig::PlateColor;
 using virtualrig::ScanNoise;
 using virtualrig::SimulateOptions;
 
@@ -50,7 +50,7 @@ int runSimulate(const SimulateOptions& options, Session& session) {
 }
 
 // Photographs by hand over a sheet, which exclude what only a rig has.
-void addHandHeld(CLI::App& command, SimulateOptions& options, HandHeldOptions& hand) {
+void addHandHeld(CLI::App& command, SimulateOptions& options, rendering::HandHeldOptions& hand) {
   using namespace virtualrig;
   CLI::Option* by_hand = command.add_option_function<int>(
       "--hand-held",
@@ -67,26 +67,28 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, HandHeldOptions& h
         ->needs(by_hand);
   };
   choice("--sheet", "The printed sheet", hand.sheet,
-         std::map<std::string, SheetSize>{
-             {"a4", SheetSize::A4}, {"a3", SheetSize::A3}, {"letter", SheetSize::Letter}},
+         std::map<std::string, rendering::SheetSize>{{"a4", rendering::SheetSize::A4},
+                                                     {"a3", rendering::SheetSize::A3},
+                                                     {"letter", rendering::SheetSize::Letter}},
          "a4");
   choice("--table", "What the sheet lies on", hand.table,
-         std::map<std::string, TableKind>{{"wood", TableKind::Wood},
-                                          {"cloth", TableKind::Cloth},
-                                          {"granite", TableKind::Granite},
-                                          {"cutting-mat", TableKind::CuttingMat}},
+         std::map<std::string, rendering::TableKind>{
+             {"wood", rendering::TableKind::Wood},
+             {"cloth", rendering::TableKind::Cloth},
+             {"granite", rendering::TableKind::Granite},
+             {"cutting-mat", rendering::TableKind::CuttingMat}},
          "wood");
   choice("--light", "The light of the room", hand.light,
-         std::map<std::string, LightKind>{{"window", LightKind::Window},
-                                          {"lamp", LightKind::Lamp},
-                                          {"flash", LightKind::Flash},
-                                          {"overcast", LightKind::Overcast},
-                                          {"sun", LightKind::Sun}},
+         std::map<std::string, rendering::LightKind>{{"window", rendering::LightKind::Window},
+                                                     {"lamp", rendering::LightKind::Lamp},
+                                                     {"flash", rendering::LightKind::Flash},
+                                                     {"overcast", rendering::LightKind::Overcast},
+                                                     {"sun", rendering::LightKind::Sun}},
          "window");
   choice("--camera", "What takes the photographs", hand.camera,
-         std::map<std::string, CameraKind>{{"phone", CameraKind::Phone},
-                                           {"dslr", CameraKind::Dslr},
-                                           {"compact", CameraKind::Compact}},
+         std::map<std::string, rendering::CameraKind>{{"phone", rendering::CameraKind::Phone},
+                                                      {"dslr", rendering::CameraKind::Dslr},
+                                                      {"compact", rendering::CameraKind::Compact}},
          "phone");
   command.add_option("--bend", hand.bend_mm, "How far the sheet bends up from the table, mm")
       ->capture_default_str()
@@ -119,12 +121,12 @@ void addSimulate(CLI::App& rig, Command& chosen) {
   command->add_option("--stops", options->stops, "Turntable positions in a turn")
       ->capture_default_str();
   command->add_option("--plate", options->plate, "Colour of the plate: dark, mid, light or white")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, PlateColor>{{"dark", PlateColor::Dark},
-                                                                    {"mid", PlateColor::Grey},
-                                                                    {"grey", PlateColor::Grey},
-                                                                    {"light", PlateColor::Light},
-                                                                    {"white", PlateColor::White}}))
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, rendering::PlateColor>{{"dark", rendering::PlateColor::Dark},
+                                                       {"mid", rendering::PlateColor::Grey},
+                                                       {"grey", rendering::PlateColor::Grey},
+                                                       {"light", rendering::PlateColor::Light},
+                                                       {"white", rendering::PlateColor::White}}))
       ->default_str("dark");
   command->add_flag("--plain", options->plain, "Plain clay: neither slip nor paint");
   command->add_option("--gloss", options->gloss,
@@ -158,7 +160,7 @@ void addSimulate(CLI::App& rig, Command& chosen) {
                                                                {"covered", Fault::Covered},
                                                                {"shadow", Fault::Shadow},
                                                                {"truncated", Fault::Truncated}}));
-  auto hand = std::make_shared<HandHeldOptions>();
+  auto hand = std::make_shared<rendering::HandHeldOptions>();
   addHandHeld(*command, *options, *hand);
   command->callback([options, hand, &chosen] {
     if (!options->meshes.empty()) options->sherds = static_cast<int>(options->meshes.size());

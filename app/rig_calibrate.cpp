@@ -9,10 +9,10 @@
 namespace ostraka::app {
 namespace {
 
+using calibration::CalibrationOptions;
+using calibration::CalibrationReport;
+using calibration::Verdict;
 using nlohmann::ordered_json;
-using rig::CalibrationOptions;
-using rig::CalibrationReport;
-using rig::Verdict;
 
 const char* name(Verdict verdict) {
   return verdict == Verdict::Good ? "good" : verdict == Verdict::Usable ? "usable" : "not usable";
@@ -20,7 +20,7 @@ const char* name(Verdict verdict) {
 
 ordered_json asJson(const CalibrationReport& report, const std::string& output, int status) {
   ordered_json cameras = ordered_json::array(), held_out = cameras, lengths = cameras;
-  for (const rig::CameraCalibration& c : report.cameras)
+  for (const calibration::CameraCalibration& c : report.cameras)
     cameras.push_back({{"camera", c.camera},
                        {"focal_px", c.focal_px},
                        {"focal_sd_px", c.focal_sd_px},
@@ -32,12 +32,12 @@ ordered_json asJson(const CalibrationReport& report, const std::string& output, 
                        {"largest_tilt_rad", c.largest_tilt_rad},
                        {"tilted_pictures", c.tilted_pictures},
                        {"plate_residual_px", c.plate_residual_px}});
-  for (const rig::HeldOutDistance& d : report.held_out)
+  for (const calibration::HeldOutDistance& d : report.held_out)
     held_out.push_back({{"markers", {d.first, d.second}},
                         {"expected_mm", d.expected_mm},
                         {"measured_mm", d.measured_mm},
                         {"error_pct", 100 * d.error()}});
-  for (const rig::MeasuredLength& m : report.lengths)
+  for (const calibration::MeasuredLength& m : report.lengths)
     lengths.push_back({{"markers", {m.length.first, m.length.second}},
                        {"by_hand_mm", m.length.mm},
                        {"found_mm", m.found_mm},
@@ -58,18 +58,20 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
                  const CalibrationOptions& options, Session& session) {
   session.progress.begin("calibration", 1.0);
   const Result<CalibrationReport> report =
-      rig::calibrateFolder(folder, options, session.progress, session.stop);
+      calibration::calibrateFolder(folder, options, session.progress, session.stop);
   if (!report) return fail(session, report.error());
   session.finishProgress();
   if (report->rig)
     if (const Result<void> written = rig::writeRig(output, *report->rig); !written)
       return fail(session, written.error());
-  const int status = report->rig ? Whole : rig::scaleIsRight(*report) ? NotWhole : PersonMustDecide;
+  const int status = report->rig                          ? Whole
+                     : calibration::scaleIsRight(*report) ? NotWhole
+                                                          : PersonMustDecide;
   if (session.json) {
     printJson(asJson(*report, output.string(), status));
     return status;
   }
-  for (const std::string& line : rig::inWords(*report)) std::printf("%s\n", line.c_str());
+  for (const std::string& line : calibration::inWords(*report)) std::printf("%s\n", line.c_str());
   if (report->rig)
     std::printf("Saved: %s\n", output.c_str());
   else
@@ -80,7 +82,7 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
 
 // "0,12,314.2": two markers and millimetres.
 std::string parseLength(const std::string& text, CalibrationOptions& options) {
-  rig::MarkerLength length;
+  calibration::MarkerLength length;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d,%d,%lf%c", &length.first, &length.second, &length.mm, &rest) !=
       3)

@@ -11,7 +11,7 @@
 #include "files/checksum.h"
 #include "files/new_folder.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,7 @@ Result<std::vector<fs::path>> filesOf(const fs::path& project) {
 // Copies the project's files into the bag and holds them against the catalogue.
 class Archiving {
  public:
-  Archiving(const catalogue::Project& project, BagWriter& bag, Progress& progress,
+  Archiving(const upkeep::Project& project, BagWriter& bag, Progress& progress,
             std::stop_token stop)
       : project_(project), bag_(bag), progress_(progress), stop_(std::move(stop)) {}
 
@@ -75,21 +75,21 @@ class Archiving {
     return {};
   }
 
-  Result<std::vector<catalogue::DamagedFile>> damage() const {
-    const auto known = catalogue::knownFiles(project_.catalogue());
+  Result<std::vector<upkeep::DamagedFile>> damage() const {
+    const auto known = upkeep::knownFiles(project_.catalogue());
     if (!known) return known.error();
-    std::vector<catalogue::DamagedFile> damaged;
-    for (const catalogue::KnownFile& file : *known) {
+    std::vector<upkeep::DamagedFile> damaged;
+    for (const upkeep::KnownFile& file : *known) {
       const auto copied = copied_.find(file.path);
-      const auto found = copied == copied_.end() ? catalogue::Damage::Missing
-                                                 : catalogue::damageOf(file, copied->second);
+      const auto found = copied == copied_.end() ? upkeep::Damage::Missing
+                                                 : upkeep::damageOf(file, copied->second);
       if (found) damaged.push_back({file, *found});
     }
     return damaged;
   }
 
  private:
-  const catalogue::Project& project_;
+  const upkeep::Project& project_;
   BagWriter& bag_;
   Progress& progress_;
   std::stop_token stop_;
@@ -114,15 +114,15 @@ Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& prog
 Result<void> checkRestored(const fs::path& folder) {
   for (const char* name : {"batches", "results", "backups"})
     if (Result<void> made = makeFolder(folder / name); !made) return made;
-  const Result<catalogue::Project> opened = catalogue::Project::open(folder);
+  const Result<upkeep::Project> opened = upkeep::Project::open(folder);
   if (!opened) return opened.error();
   if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;
-  return catalogue::checkPaths(opened->catalogue());
+  return upkeep::checkPaths(opened->catalogue());
 }
 
 }  // namespace
 
-Result<Archived> archiveProject(const catalogue::Project& project, const ArchiveOptions& options,
+Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOptions& options,
                                 Progress& progress, std::stop_token stop) {
   const fs::path target = folderNamed(options.target);
   if (!target.lexically_relative(project.folder()).generic_string().starts_with(".."))
@@ -140,7 +140,7 @@ Result<Archived> archiveProject(const catalogue::Project& project, const Archive
   archived.damage = std::move(*damage);
   if (!archived.damage.empty() && options.damaged == DamagedFiles::Refuse) return archived;
   std::string list;
-  for (const catalogue::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
+  for (const upkeep::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
   if (!list.empty()) bag->tag("damage.txt", list);
   const auto record = project.catalogue().project();
   if (!record) return record.error();
@@ -190,4 +190,4 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
   return Restored{bag->damage()};
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -10,7 +10,7 @@
 #include "upkeep/file_check.h"
 #include "upkeep/project.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 
 /// What becomes of an archive when files of the catalogue are missing or changed.
 enum class DamagedFiles { Refuse, Seal };
@@ -23,14 +23,14 @@ struct ArchiveOptions {
 struct Archived {
   bool sealed = false;  ///< else nothing was left at the target
   std::int64_t bytes = 0;
-  std::vector<catalogue::DamagedFile> damage;
+  std::vector<upkeep::DamagedFile> damage;
 };
 /// The whole project, catalogue and all files, as a bag: what a laptop that is lost leaves behind.
 /// Each file of the catalogue is held against its hash while it is copied; an archive that is
 /// sealed with damage lists it in damage.txt. Links are not followed: what lies behind one counts
 /// as missing. Errors: the target is there or lies in the project, a folder that cannot be read, a
 /// full disk, Cancelled.
-Result<Archived> archiveProject(const catalogue::Project& project, const ArchiveOptions& options,
+Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOptions& options,
                                 Progress& progress, std::stop_token stop);
 
 struct Restored {
@@ -44,4 +44,4 @@ Result<Restored> restoreProject(const std::filesystem::path& archive,
                                 const std::filesystem::path& folder, Progress& progress,
                                 std::stop_token stop);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

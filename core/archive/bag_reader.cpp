@@ -10,7 +10,7 @@
 #include "files/files.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ constexpr std::size_t kMostTagBytes = limits::kManifestBytes.most;
 const std::set<std::string> kTagFiles = {"bagit.txt", "bag-info.txt", kPayload, kDamage};
 
 Result<ContainedPath> parsed(const std::string& name) {
-  const Result<std::string> text = catalogue::checkedPath(name);
+  const Result<std::string> text = store::checkedPath(name);
   return text ? ContainedPath::parse(name) : text.error();
 }
 
@@ -196,4 +196,4 @@ Result<std::vector<BagFile>> checkBag(const fs::path& folder, Progress& progress
   return bag->files();
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "files/open_folder.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 
 /// A bag that anybody may have written, and may be changing. Its manifests are read once; what is
 /// read of a file later is held against them again, so that no other file takes its place.
@@ -43,4 +43,4 @@ class BagReader {
   std::vector<std::string> damage_;
 };
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

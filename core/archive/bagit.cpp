@@ -13,7 +13,7 @@
 #include "files/files.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ Result<BagWriter> BagWriter::begin(const fs::path& target) {
 }
 
 Result<void> BagWriter::take(const std::string& path) {
-  const Result<std::string> good = catalogue::checkedPath(path);
+  const Result<std::string> good = store::checkedPath(path);
   if (!good) return good.error();
   if (path.find('%') != std::string::npos)
     return Error::unusable("A name in an export must not contain '%'.", path);
@@ -124,4 +124,4 @@ Result<void> BagWriter::finish(const std::map<std::string, std::string>& info,
   return folder_.finish();
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -13,7 +13,7 @@
 #include "base/result.h"
 #include "files/new_folder.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 
 /// A folder's absolute path without a slash at its end, so that names can be made from its own.
 std::filesystem::path folderNamed(const std::filesystem::path& folder);
@@ -64,4 +64,4 @@ class BagWriter {
 Result<std::vector<BagFile>> checkBag(const std::filesystem::path& folder, Progress& progress,
                                       std::stop_token stop);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -2,12 +2,12 @@
 
 #include "store/names.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 
 Result<void> DistinctPaths::add(const std::string& path) {
   for (std::size_t to = path.find('/');; to = path.find('/', to + 1)) {
     const std::string name = path.substr(0, to);
-    const auto [known, is_new] = spellings_.try_emplace(catalogue::uniqueKey(name), name);
+    const auto [known, is_new] = spellings_.try_emplace(store::uniqueKey(name), name);
     const bool is_whole = to == std::string::npos;
     if (known->second != name || (is_whole && !is_new))
       return Error::unusable("Two files of the export would have the same name.", path);
@@ -15,4 +15,4 @@ Result<void> DistinctPaths::add(const std::string& path) {
   }
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 
 /// Files and folders of one bag whose names stay apart on every system: letters that differ in
 /// case, or in how an accent is written, are the same on some.
@@ -18,4 +18,4 @@ class DistinctPaths {
   std::map<std::string, std::string> spellings_;  ///< what is unique -> as it was written
 };
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

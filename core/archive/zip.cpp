@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 constexpr std::uint16_t kVersion = 20;     // folders and plain entries
@@ -92,4 +92,4 @@ Result<std::string> zipped(const std::vector<ZipEntry>& entries) {
   return out;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 
 struct ZipEntry {
   std::string name;  ///< with '/', ASCII
@@ -16,4 +16,4 @@ struct ZipEntry {
 /// same contents give the same bytes. Errors: UnusableInput at 4 GiB, which would need ZIP64.
 Result<std::string> zipped(const std::vector<ZipEntry>& entries);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -1,6 +1,6 @@
 #include "batch/moved_batch.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::batch {
 
 namespace fs = std::filesystem;
 
@@ -14,4 +14,4 @@ fs::path photographNow(const std::string& then, const fs::path& output) {
   return fs::exists(now, ignored) ? now : old;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::batch

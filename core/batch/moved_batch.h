@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-namespace ostraka::pipeline {
+namespace ostraka::batch {
 
 /// Where a photograph lies that a run named with its whole path: in the batch's folder beside the
 /// results (PROJECT/results/B0031 and PROJECT/batches/B0031), which a project that was moved,
@@ -10,4 +10,4 @@ namespace ostraka::pipeline {
 /// neither.
 std::filesystem::path photographNow(const std::string& then, const std::filesystem::path& output);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::batch

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 // In blocks, so that progress is told from the stage's own thread.
@@ -38,7 +38,7 @@ Result<std::vector<ShotMarkers>> findBatchMarkers(const batch::Batch& batch, int
       shots[i].unreadable = photograph.error().sentence();
       return;
     }
-    Result<std::vector<SeenMarker>> seen = findPlateMarkers(*photograph, *batch.plate);
+    Result<std::vector<rig::SeenMarker>> seen = rig::findPlateMarkers(*photograph, *batch.plate);
     if (seen)
       shots[i].markers = std::move(*seen);
     else
@@ -81,4 +81,4 @@ Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int t
   return views;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -9,11 +9,11 @@
 #include "calibration/intrinsics.h"
 #include "rig/plate_markers.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// What was found in one photograph; unreadable holds the sentence when it cannot be decoded.
 struct ShotMarkers {
-  std::vector<SeenMarker> markers;
+  std::vector<rig::SeenMarker> markers;
   std::string unreadable;
 };
 
@@ -26,4 +26,4 @@ Result<std::vector<ShotMarkers>> findBatchMarkers(const batch::Batch& batch, int
 Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int threads,
                                                 Progress& progress, std::stop_token stop);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -8,7 +8,7 @@
 #include "rig/marker_dictionary.h"
 #include "rig/marker_edges.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 struct FoundMarkers {
@@ -53,7 +53,7 @@ bool spansAPlane(const std::vector<Eigen::Vector3d>& points) {
 }  // namespace
 
 Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& board) {
-  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = markerDictionary(board.dictionary);
+  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(board.dictionary);
   if (!dictionary) return dictionary.error();
   if (board.squares_x * board.squares_y / 2 > (*dictionary)->bytesList.rows)
     return Error{ErrorCode::UnusableInput,
@@ -87,7 +87,7 @@ Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& boar
 }
 
 Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid) {
-  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = markerDictionary(grid.dictionary);
+  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(grid.dictionary);
   if (!dictionary) return dictionary.error();
   const cv::Mat grey = batch::greyOf(photograph);
   const auto parameters = cv::aruco::DetectorParameters::create();
@@ -103,8 +103,8 @@ Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid) {
     if (index < 0 || index >= grid.markers_x * grid.markers_y) continue;
     // Edges, as on the plate: windows around corners would be of a fixed number of pixels, and find
     // them inside of the black by some tenths of the blur.
-    const Quad start = toQuad(found.corners[i]);
-    const Quad corners = refineByEdges(grey, start, cells).value_or(start);
+    const rig::Quad start = rig::toQuad(found.corners[i]);
+    const rig::Quad corners = rig::refineByEdges(grey, start, cells).value_or(start);
     const Eigen::Vector3d origin(index % grid.markers_x * step, index / grid.markers_x * step, 0);
     for (std::size_t c = 0; c < 4; ++c) {
       view.points.push_back(origin + grid.marker_mm * Eigen::Vector3d(c == 1 || c == 2, c >= 2, 0));
@@ -115,4 +115,4 @@ Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid) {
   return view;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -11,7 +11,7 @@
 #include "files/json.h"
 #include "files/json_numbers.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
   return cameras;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

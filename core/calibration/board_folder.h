@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "calibration/intrinsics.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Pictures of one camera of a board, in the order of their names.
 struct BoardPictures {
@@ -24,4 +24,4 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const std::filesystem::path
                                                      int threads, Progress& progress,
                                                      std::stop_token stop);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

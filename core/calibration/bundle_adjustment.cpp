@@ -9,7 +9,7 @@
 
 #include "calibration/covariance.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 // A residual beyond three standard deviations counts less and less.
@@ -18,7 +18,7 @@ constexpr double kLossScale = 3.0;
 using IntrinsicsBlock = std::array<double, 9>;  // fx fy cx cy k1 k2 p1 p2 k3
 using PoseBlock = std::array<double, 6>;        // rotation vector, translation
 
-IntrinsicsBlock toBlock(const Intrinsics& i) {
+IntrinsicsBlock toBlock(const rig::Intrinsics& i) {
   return {i.fx,
           i.fy,
           i.cx,
@@ -147,7 +147,7 @@ struct BentPrintPrior {
   template <class T>
   bool operator()(const T* error, const T* bend, T* out) const {
     for (int k = 0; k < 3; ++k) out[k] = error[k] / T(sd_mm);
-    out[2] -= SheetBend::height(bend, x, y) / T(sd_mm);
+    out[2] -= rig::SheetBend::height(bend, x, y) / T(sd_mm);
     return true;
   }
 };
@@ -156,7 +156,7 @@ struct BendPrior {
   double sd_mm = 1;
   template <class T>
   bool operator()(const T* bend, T* out) const {
-    for (int k = 0; k < SheetBend::kTerms; ++k) out[k] = bend[k] / T(sd_mm);
+    for (int k = 0; k < rig::SheetBend::kTerms; ++k) out[k] = bend[k] / T(sd_mm);
     return true;
   }
 };
@@ -254,7 +254,7 @@ class Adjustment {
                               intrinsics_[c.camera].data(), boards_[c.view].data());
   }
 
-  void addLensPrior(const Intrinsics& size, IntrinsicsBlock& lens) {
+  void addLensPrior(const rig::Intrinsics& size, IntrinsicsBlock& lens) {
     using Lens = ceres::AutoDiffCostFunction<LensPrior, 8, 9>;
     problem_.AddResidualBlock(new Lens(new LensPrior{size.width, size.height}), nullptr,
                               lens.data());
@@ -270,7 +270,7 @@ class Adjustment {
   void addSeparatePriors(const std::vector<PlateCorner>& corners) {
     const OwnLenses& own = options_.lenses;
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
-      const Intrinsics& i = state_.cameras[c].intrinsics;
+      const rig::Intrinsics& i = state_.cameras[c].intrinsics;
       const auto [lens, first] = lenses_.try_emplace(own.lens_of_camera[c], intrinsics_[c]);
       if (first) addLensPrior(i, lens->second);
       using Own = ceres::AutoDiffCostFunction<OwnLensPrior, 9, 9, 9>;
@@ -289,11 +289,11 @@ class Adjustment {
     double half_diagonal = 1;
     for (const PlateCorner& corner : corners)
       half_diagonal = std::max(half_diagonal, corner.point.head<2>().norm());
-    for (SheetBend& bend : state_.bends) bend.reach_mm = half_diagonal;
+    for (rig::SheetBend& bend : state_.bends) bend.reach_mm = half_diagonal;
     std::vector<char> known(state_.print_errors_mm.size(), 0);
     for (const PlateCorner& corner : corners) {
       if (std::exchange(known[static_cast<std::size_t>(corner.plate_point)], 1) != 0) continue;
-      using Cost = ceres::AutoDiffCostFunction<BentPrintPrior, 3, 3, SheetBend::kTerms>;
+      using Cost = ceres::AutoDiffCostFunction<BentPrintPrior, 3, 3, rig::SheetBend::kTerms>;
       problem_.AddResidualBlock(
           new Cost(new BentPrintPrior{corner.point.x() / half_diagonal,
                                       corner.point.y() / half_diagonal, options_.print_sd_mm}),
@@ -303,7 +303,8 @@ class Adjustment {
     for (int s = 0; s < 2; ++s) {
       if (!side_seen_[s]) continue;
       if (options_.bend_sd_mm > 0) {
-        using Cost = ceres::AutoDiffCostFunction<BendPrior, SheetBend::kTerms, SheetBend::kTerms>;
+        using Cost =
+            ceres::AutoDiffCostFunction<BendPrior, rig::SheetBend::kTerms, rig::SheetBend::kTerms>;
         problem_.AddResidualBlock(new Cost(new BendPrior{options_.bend_sd_mm}), nullptr,
                                   state_.bends[s].coefficients_mm.data());
       } else {
@@ -443,4 +444,4 @@ Eigen::Vector2d residual(const RigState& state, const PlateCorner& corner) {
   return corner.pixel + camera.inset_px * corner.outward - camera.intrinsics.project(p);
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

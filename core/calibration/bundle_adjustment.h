@@ -7,14 +7,14 @@
 #include "rig/camera.h"
 #include "rig/sheet_bend.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Everything that is estimated together. Cameras and stops are indices here, not numbers.
 /// camera_from_plate = camera_from_turntable[camera] * Rz(angles_rad[side][stop])
 ///                     * turntable_from_plate[side].
 struct RigState {
   struct Camera {
-    Intrinsics intrinsics;
+    rig::Intrinsics intrinsics;
     Eigen::Isometry3d camera_from_turntable = Eigen::Isometry3d::Identity();
     double inset_px = 0;  ///< by which marker edges are seen inside of where they are
     double focal_sd_px = 0;
@@ -30,7 +30,7 @@ struct RigState {
   /// By plate point: how far a printed corner lies from where plate.json says, mm. With
   /// Cameras::Separate plate points count per side, since a sheet lies otherwise each time.
   std::vector<Eigen::Vector3d> print_errors_mm;
-  std::array<SheetBend, 2> bends;  ///< by side; Cameras::Separate
+  std::array<rig::SheetBend, 2> bends;  ///< by side; Cameras::Separate
   /// Size of the plate over that in plate.json, as known cameras see it; 1 where the cameras'
   /// places are estimated, since then the plate itself gives the scale.
   double plate_scale = 1;
@@ -92,4 +92,4 @@ Result<RigState> adjust(const RigState& start, const std::vector<PlateCorner>& p
 /// Observed minus predicted, the inset taken into account.
 Eigen::Vector2d residual(const RigState& state, const PlateCorner& corner);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -14,7 +14,7 @@
 #include "calibration/rig_start.h"
 #include "rig/view_pose.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 constexpr int kMinViewsPerSide = 3;
@@ -30,7 +30,7 @@ double rms(double sum_of_squares, double count) {
 
 class Poser {
  public:
-  Poser(const batch::Batch& batch, const std::optional<Rig>& known, const PoseOptions& options,
+  Poser(const batch::Batch& batch, const std::optional<rig::Rig>& known, const PoseOptions& options,
         Progress& progress, std::stop_token stop)
       : batch_(batch), known_(known), options_(options), progress_(progress), stop_(stop) {}
 
@@ -47,7 +47,7 @@ class Poser {
     shots_ = std::move(*shots);
     for (const ShotMarkers& shot : shots_) {
       if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
-      markers_.push_back(placed(shot.markers, *batch_.plate));
+      markers_.push_back(rig::placed(shot.markers, *batch_.plate));
     }
     if (const Result<void> found = findIntrinsics(); !found) return found.error();
     if (const Result<void> found = findStart(); !found) return found.error();
@@ -96,7 +96,7 @@ class Poser {
     if (!known_) return false;
     for (std::size_t i = 0; i < batch_.shots.size(); ++i) {
       const batch::Shot& shot = batch_.shots[i];
-      const RigCamera* camera = known_->find(shot.camera);
+      const rig::RigCamera* camera = known_->find(shot.camera);
       if (camera == nullptr || camera->intrinsics.width != shot.width ||
           camera->intrinsics.height != shot.height) {
         warn("The known rig has no camera " + batch::cameraLetter(shot.camera) +
@@ -179,7 +179,7 @@ class Poser {
       if (cameraOf(i) != static_cast<int>(camera) || markers_[i].size() < 4) continue;
       TargetView& view = views.emplace_back();
       view.file = batch_.shots[i].file.string();
-      for (const PlacedMarker& marker : markers_[i])
+      for (const rig::PlacedMarker& marker : markers_[i])
         for (int c = 0; c < 4; ++c) {
           view.points.push_back(marker.corners[c]);
           view.pixels.push_back(marker.seen.corners[c]);
@@ -205,7 +205,7 @@ class Poser {
     dropped_.resize(markers_.size());
     for (std::size_t i = 0; i < markers_.size(); ++i) {
       dropped_[i].assign(markers_[i].size(), 0);
-      const auto pose = poseFromMarkers(markers_[i], state_.cameras[cameraOf(i)].intrinsics);
+      const auto pose = rig::poseFromMarkers(markers_[i], state_.cameras[cameraOf(i)].intrinsics);
       if (!pose) continue;
       int agreeing = 0;
       for (std::size_t m = 0; m < markers_[i].size(); ++m) {
@@ -256,9 +256,9 @@ class Poser {
     return corners;
   }
 
-  void append(std::vector<PlateCorner>& corners, std::size_t shot, const PlacedMarker& marker,
+  void append(std::vector<PlateCorner>& corners, std::size_t shot, const rig::PlacedMarker& marker,
               double sd_scale) const {
-    const Quad outward = outwardPerPixel(marker.seen.corners);
+    const rig::Quad outward = rig::outwardPerPixel(marker.seen.corners);
     for (int c = 0; c < 4; ++c)
       corners.push_back({cameraOf(shot), sideOf(shot), stopOf(shot),
                          static_cast<int>(marker.plate_index * 4 + c), marker.corners[c],
@@ -370,7 +370,7 @@ class Poser {
     return std::max(0.2, 1.4826 * medianOf(ratios));
   }
 
-  double markerError(std::size_t shot, const PlacedMarker& marker) const {
+  double markerError(std::size_t shot, const rig::PlacedMarker& marker) const {
     std::vector<PlateCorner> corners;
     append(corners, shot, marker, 1);
     double sum = 0;
@@ -397,7 +397,7 @@ class Poser {
     for (std::size_t i = 0; i < batch_.shots.size(); ++i) {
       if (!shots_[i].unreadable.empty() || !start_.camera_posed[cameraOf(i)]) continue;
       const batch::Shot& shot = batch_.shots[i];
-      PosedImage image;
+      rig::PosedImage image;
       image.file = shot.file.string();
       image.side = shot.side;
       image.camera = shot.camera;
@@ -430,8 +430,9 @@ class Poser {
     }
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
       if (side == batch::Side::Back && sidesShot() == SidesShot::FrontOnly) break;
-      const auto views = std::count_if(out_.images.begin(), out_.images.end(),
-                                       [&](const PosedImage& image) { return image.side == side; });
+      const auto views =
+          std::count_if(out_.images.begin(), out_.images.end(),
+                        [&](const rig::PosedImage& image) { return image.side == side; });
       if (views < kMinViewsPerSide)
         return Error{ErrorCode::NotEnough,
                      std::string("Only ") + std::to_string(views) + " photographs of the " +
@@ -453,12 +454,12 @@ class Poser {
   }
 
   std::vector<double> knownCovariance(std::size_t camera) const {
-    const RigCamera* known = known_ ? known_->find(camera_numbers_[camera]) : nullptr;
+    const rig::RigCamera* known = known_ ? known_->find(camera_numbers_[camera]) : nullptr;
     return known != nullptr && mode_ == Cameras::Known ? known->covariance : std::vector<double>();
   }
 
   void fillRig() {
-    Rig& rig = out_.rig;
+    rig::Rig& rig = out_.rig;
     for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
       if (!start_.camera_posed[c]) continue;
       const RigState::Camera& camera = state_.cameras[c];
@@ -473,7 +474,7 @@ class Poser {
   }
 
   const batch::Batch& batch_;
-  const std::optional<Rig>& known_;
+  const std::optional<rig::Rig>& known_;
   const PoseOptions& options_;
   Progress& progress_;
   std::stop_token stop_;
@@ -481,8 +482,8 @@ class Poser {
   std::vector<int> camera_numbers_, stop_numbers_;  // ascending; their places are the indices
   std::vector<double> intrinsics_rms_;
   std::vector<ShotMarkers> shots_;
-  std::vector<std::vector<PlacedMarker>> markers_;  // by shot
-  std::vector<std::vector<char>> dropped_;          // by shot and marker
+  std::vector<std::vector<rig::PlacedMarker>> markers_;  // by shot
+  std::vector<std::vector<char>> dropped_;               // by shot and marker
   std::vector<BoardCorner> board_corners_;
   RigState state_;
   RigStart start_;
@@ -491,10 +492,10 @@ class Poser {
 
 }  // namespace
 
-Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<Rig>& known,
+Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<rig::Rig>& known,
                              const PoseOptions& options, Progress& progress, std::stop_token stop) {
   if (const Result<void> good = options.check(); !good) return good.error();
   return Poser(batch, known, options, progress, std::move(stop)).run();
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -13,7 +13,7 @@
 #include "rig/rig.h"
 #include "rig/sheet_bend.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 struct PoseOptions {
   int threads = 0;  ///< <= 0: all processors of this process; the result does not depend on it
@@ -47,10 +47,10 @@ struct HeldOutDistance {
 
 /// The poses of a batch's photographs.
 struct BatchPoses {
-  Rig rig;
+  rig::Rig rig;
   /// One per usable shot in the order of batch.shots; file is the photograph's path.
   /// camera_from_plate belongs to the plate as it has turned (its markers define the frame).
-  std::vector<PosedImage> images;
+  std::vector<rig::PosedImage> images;
   double reprojection_rms_px = 0;         ///< of the marker corners that were used
   std::vector<double> rms_per_image_px;   ///< per image; 0 where no marker was seen
   std::vector<int> markers_per_image;     ///< per image; 0: the pose comes through the rig
@@ -60,7 +60,7 @@ struct BatchPoses {
   /// By index of Plate::markers: the corners as the photographs have them, plate frame, mm, where
   /// at least two views see the marker.
   std::vector<std::optional<std::array<Eigen::Vector3d, 4>>> markers;
-  std::array<SheetBend, 2> bends;  ///< by side; of a sheet below free cameras, else flat
+  std::array<rig::SheetBend, 2> bends;  ///< by side; of a sheet below free cameras, else flat
 };
 
 /// Intrinsics from the ChArUco photographs (from the plate's markers where there are none), poses
@@ -70,7 +70,7 @@ struct BatchPoses {
 /// A batch without photographs of the back is one that calibrates: only the front gets poses.
 /// An unreadable photograph is left out with a warning. Errors: NotEnough (no plate.json, markers
 /// not found, no camera with a pose, fewer than 3 posed views on a side), Cancelled.
-Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<Rig>& known,
+Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<rig::Rig>& known,
                              const PoseOptions& options, Progress& progress, std::stop_token stop);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

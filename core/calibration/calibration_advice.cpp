@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "calibration/held_out.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 constexpr int kFewCornersInRegion = 12;  // distortion there would be extrapolated
@@ -185,4 +185,4 @@ std::vector<std::string> inWords(const CalibrationReport& report) {
   return lines;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -4,7 +4,7 @@
 
 #include "calibration/calibration_report.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// What the pictures of the board leave open: regions of the picture, tilts, their number.
 void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& missing);
@@ -12,4 +12,4 @@ void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& mi
 /// What the plate's photographs leave open (stops, markers, scale), and the verdict on all.
 void adviseOnPlate(const BatchPoses& poses, CalibrationReport& report);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

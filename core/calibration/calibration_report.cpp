@@ -7,7 +7,7 @@
 #include "calibration/calibration_advice.h"
 #include "calibration/held_out.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,7 +134,7 @@ Result<CalibrationReport> calibrateBatch(const batch::Batch& batch,
     if (found.lens)
       for (const std::string& advice : found.lens->advice)
         report.missing.push_back(prefixed(found.camera, advice));
-    if (const RigCamera* rig = poses->rig.find(found.camera); rig != nullptr) {
+    if (const rig::RigCamera* rig = poses->rig.find(found.camera); rig != nullptr) {
       camera.focal_px = rig->intrinsics.fx;
       camera.focal_sd_px = rig->focal_sd_px;
     }
@@ -175,4 +175,4 @@ Result<CalibrationReport> calibrateFolder(const fs::path& folder, const Calibrat
   return calibrateBatch(*batch, options, progress, stop);
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

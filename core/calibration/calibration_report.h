@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "calibration/calibrate.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// What a person measured on the plate with a calliper, to check the scale.
 struct MarkerLength {
@@ -46,7 +46,7 @@ struct MeasuredLength {
 
 /// What a calibration found, in figures and in words.
 struct CalibrationReport {
-  std::optional<Rig>
+  std::optional<rig::Rig>
       rig;  ///< nothing where only the board was photographed, or the lens is unknown
   std::vector<CameraCalibration> cameras;
   double reprojection_rms_px = 0;  ///< of the plate's markers
@@ -73,4 +73,4 @@ bool scaleIsRight(const CalibrationReport& report);
 /// The report for a person, line by line; for the terminal and the window.
 std::vector<std::string> inWords(const CalibrationReport& report);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

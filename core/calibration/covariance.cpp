@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 // Ambient values by tangent: identity without a manifold.
@@ -76,4 +76,4 @@ std::optional<Eigen::MatrixXd> covarianceOfFirst(ceres::Problem& problem,
   return Eigen::MatrixXd(lift * covariance * lift.transpose());
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -7,7 +7,7 @@ namespace ceres {
 class Problem;
 }
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Covariance of the values of the first `wanted` blocks at the problem's present state: the
 /// inverse of the dense normal equations, robust loss applied, with zeros for what is held
@@ -18,4 +18,4 @@ std::optional<Eigen::MatrixXd> covarianceOfFirst(ceres::Problem& problem,
                                                  const std::vector<double*>& blocks,
                                                  std::size_t wanted);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

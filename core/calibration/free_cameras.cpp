@@ -11,7 +11,7 @@
 #include "calibration/lenses.h"
 #include "rig/view_pose.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 constexpr int kFewestViews = 3;
@@ -23,7 +23,7 @@ constexpr double kNamedBend_mm = 1;     // a sheet this flat harms nothing
 
 // Markers in one part of a picture do not determine the higher terms of a lens: what would move the
 // picture's corner by a tenth is none's. Without them the adjustment finds those that it can.
-Intrinsics withinReason(Intrinsics lens) {
+rig::Intrinsics withinReason(rig::Intrinsics lens) {
   const double r2 = (Eigen::Vector2d(0.5 * lens.width, 0.5 * lens.height) / lens.fx).squaredNorm();
   const auto& d = lens.distortion;
   if (std::abs(d[1]) * r2 * r2 > kMostBent || std::abs(d[4]) * r2 * r2 * r2 > kMostBent)
@@ -48,7 +48,7 @@ class FreePoser {
     if (!shots) return shots.error();
     for (const ShotMarkers& shot : *shots) {
       if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
-      markers_.push_back(placed(shot.markers, *batch_.plate));
+      markers_.push_back(rig::placed(shot.markers, *batch_.plate));
       readable_.push_back(shot.unreadable.empty());
     }
     groupLenses();
@@ -94,7 +94,7 @@ class FreePoser {
   TargetView viewOf(std::size_t shot) const {
     TargetView view;
     view.file = batch_.shots[shot].file.string();
-    for (const PlacedMarker& marker : markers_[shot])
+    for (const rig::PlacedMarker& marker : markers_[shot])
       for (int c = 0; c < 4; ++c) {
         view.points.push_back(marker.corners[c]);
         view.pixels.push_back(marker.seen.corners[c]);
@@ -102,7 +102,7 @@ class FreePoser {
     return view;
   }
 
-  Result<Intrinsics> lensFromMarkers(int lens) const {
+  Result<rig::Intrinsics> lensFromMarkers(int lens) const {
     std::vector<TargetView> views;
     int width = 0, height = 0;
     for (std::size_t i = 0; i < markers_.size(); ++i) {
@@ -118,9 +118,9 @@ class FreePoser {
   }
 
   Result<void> findStart() {
-    std::vector<std::optional<Intrinsics>> lenses;
+    std::vector<std::optional<rig::Intrinsics>> lenses;
     for (std::size_t k = 0; k < out_.cameras.size(); ++k) {
-      const Result<Intrinsics> lens = lensFromMarkers(static_cast<int>(k));
+      const Result<rig::Intrinsics> lens = lensFromMarkers(static_cast<int>(k));
       lenses.push_back(lens ? std::optional(*lens) : std::nullopt);
     }
     std::vector<std::size_t> unposed;
@@ -129,7 +129,7 @@ class FreePoser {
     for (std::size_t i = 0; i < markers_.size(); ++i) {
       dropped_[i].assign(markers_[i].size(), 0);
       const auto pose = poseByBestLens(i, lenses);
-      const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(lens_[i])];
+      const std::optional<rig::Intrinsics>& lens = lenses[static_cast<std::size_t>(lens_[i])];
       if (!pose) {
         if (readable_[i]) unposed.push_back(i);
         continue;
@@ -151,13 +151,13 @@ class FreePoser {
 
   // One photograph does not always tell its own focal length: of the lenses that its camera was
   // found to have it gets the one with which most of its markers agree.
-  std::optional<PoseFromMarkers> poseByBestLens(
-      std::size_t shot, const std::vector<std::optional<Intrinsics>>& lenses) {
-    std::optional<PoseFromMarkers> best;
+  std::optional<rig::PoseFromMarkers> poseByBestLens(
+      std::size_t shot, const std::vector<std::optional<rig::Intrinsics>>& lenses) {
+    std::optional<rig::PoseFromMarkers> best;
     std::ptrdiff_t most = -1;
     for (const int k : lensesOfCamera(by_exif_[shot], lens_[shot])) {
-      const std::optional<Intrinsics>& lens = lenses[static_cast<std::size_t>(k)];
-      auto pose = lens ? poseFromMarkers(markers_[shot], *lens) : std::nullopt;
+      const std::optional<rig::Intrinsics>& lens = lenses[static_cast<std::size_t>(k)];
+      auto pose = lens ? rig::poseFromMarkers(markers_[shot], *lens) : std::nullopt;
       if (!pose) continue;
       const std::ptrdiff_t agree = std::count(pose->agrees.begin(), pose->agrees.end(), char{1});
       if (agree > most) most = agree, best = std::move(pose), lens_[shot] = k;
@@ -215,9 +215,9 @@ class FreePoser {
            batch_.shots[shot].file.string() + " is not used: " + reason);
   }
 
-  void append(std::vector<PlateCorner>& corners, std::size_t shot, const PlacedMarker& marker,
+  void append(std::vector<PlateCorner>& corners, std::size_t shot, const rig::PlacedMarker& marker,
               double sd_scale) const {
-    const Quad outward = outwardPerPixel(marker.seen.corners);
+    const rig::Quad outward = rig::outwardPerPixel(marker.seen.corners);
     const int first = sideOf(shot) * platePoints() + static_cast<int>(marker.plate_index * 4);
     for (int c = 0; c < 4; ++c)
       corners.push_back({camera_of_[shot], sideOf(shot), 0, first + c, marker.corners[c],
@@ -263,7 +263,7 @@ class FreePoser {
     return std::max(0.2, 1.4826 * medianOf(ratios));
   }
 
-  double markerError(std::size_t shot, const PlacedMarker& marker) const {
+  double markerError(std::size_t shot, const rig::PlacedMarker& marker) const {
     std::vector<PlateCorner> corners;
     append(corners, shot, marker, 1);
     double sum = 0;
@@ -378,13 +378,13 @@ class FreePoser {
   const PoseOptions& options_;
   Progress& progress_;
   std::stop_token stop_;
-  std::vector<std::vector<PlacedMarker>> markers_;  // by shot
-  std::vector<char> readable_;                      // by shot
-  std::vector<std::vector<char>> dropped_;          // by shot and marker
-  std::vector<int> by_exif_;                        // by shot: lenses as cameras tell them
-  std::vector<int> lens_;                           // by shot: as markers tell them, too
-  std::vector<int> camera_of_;                      // by shot: index in state_.cameras, or -1
-  std::vector<int> lens_of_camera_;                 // by index in state_.cameras
+  std::vector<std::vector<rig::PlacedMarker>> markers_;  // by shot
+  std::vector<char> readable_;                           // by shot
+  std::vector<std::vector<char>> dropped_;               // by shot and marker
+  std::vector<int> by_exif_;                             // by shot: lenses as cameras tell them
+  std::vector<int> lens_;                                // by shot: as markers tell them, too
+  std::vector<int> camera_of_;                           // by shot: index in state_.cameras, or -1
+  std::vector<int> lens_of_camera_;                      // by index in state_.cameras
   RigState state_;
   BatchPoses out_;
 };
@@ -397,4 +397,4 @@ Result<BatchPoses> poseFreeCameras(const batch::Batch& batch, const PoseOptions&
   return FreePoser(batch, options, progress, std::move(stop)).run();
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -6,7 +6,7 @@
 #include "batch/batch.h"
 #include "calibration/calibrate.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Poses and lenses of photographs that were taken by hand over a marker sheet (batch::Way::
 /// FreeCamera): each photograph has a pose of its own and a lens that is its camera's but for
@@ -19,4 +19,4 @@ namespace ostraka::rig {
 Result<BatchPoses> poseFreeCameras(const batch::Batch& batch, const PoseOptions& options,
                                    Progress& progress, std::stop_token stop);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 std::size_t markerOf(const PlateCorner& corner) {
@@ -130,4 +130,4 @@ std::string sentence(const Move& move, int camera, int reference) {
          " degrees since the rig was calibrated.";
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

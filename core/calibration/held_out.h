@@ -8,7 +8,7 @@
 #include "calibration/bundle_adjustment.h"
 #include "calibration/calibrate.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 constexpr double kMostScaleError = 0.003;  ///< of a held-out distance
 
@@ -44,4 +44,4 @@ Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
                  std::size_t reference);
 std::string sentence(const Move& move, int camera, int reference);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

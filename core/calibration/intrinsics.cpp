@@ -8,7 +8,7 @@
 #include "base/median.h"
 #include "rig/rounded.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 constexpr std::size_t kMinCorners = 6;
@@ -29,7 +29,7 @@ std::string inPixels(double value) {
 }
 
 void round(cv::Mat& values, double step) {
-  values.forEach<double>([step](double& value, const int*) { value = rounded(value, step); });
+  values.forEach<double>([step](double& value, const int*) { value = rig::rounded(value, step); });
 }
 
 // Pixels to a ten-thousandth, terms of the distortion to a hundredth of a millionth.
@@ -40,7 +40,7 @@ void round(Solution& s) {
   round(s.rms_per_view, 1e-6);
   for (cv::Mat& rotation : s.rotations) round(rotation, 1e-7);
   for (cv::Mat& translation : s.translations) round(translation, 1e-7);
-  s.rms_px = rounded(s.rms_px, 1e-6);
+  s.rms_px = rig::rounded(s.rms_px, 1e-6);
 }
 
 Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, int flags) {
@@ -89,7 +89,7 @@ int flagsForUndetermined(const Solution& s) {
 IntrinsicsReport reportOf(const Solution& s, std::span<const TargetView* const> views,
                           cv::Size size) {
   IntrinsicsReport report;
-  Intrinsics& i = report.intrinsics;
+  rig::Intrinsics& i = report.intrinsics;
   i.width = size.width;
   i.height = size.height;
   i.fx = s.matrix.at<double>(0, 0);
@@ -202,4 +202,4 @@ Result<IntrinsicsReport> intrinsicsFromPlate(std::span<const TargetView> views, 
   return report;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -10,7 +10,7 @@
 #include "batch/batch.h"
 #include "rig/camera.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Corners of a calibration target seen in one picture.
 struct TargetView {
@@ -36,7 +36,7 @@ Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid);
 
 /// What a calibration found, and how far it can be trusted.
 struct IntrinsicsReport {
-  Intrinsics intrinsics;
+  rig::Intrinsics intrinsics;
   std::array<double, 9> sd{};  ///< of fx fy cx cy k1 k2 p1 p2 k3; 0 for a term kept at zero
   double rms_px = 0;
   std::vector<std::string> files;                     ///< of the views that were used
@@ -60,4 +60,4 @@ Result<IntrinsicsReport> calibrateIntrinsics(std::span<const TargetView> views, 
 Result<IntrinsicsReport> intrinsicsFromPlate(std::span<const TargetView> views, int width,
                                              int height);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

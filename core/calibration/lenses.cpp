@@ -9,7 +9,7 @@
 
 #include "batch/exif.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 constexpr std::size_t kFewestOfALens = 3;  // views that a calibration needs
@@ -100,4 +100,4 @@ std::vector<int> toldApart(std::vector<int> lenses, std::span<const batch::Shot>
   return lenses;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -5,7 +5,7 @@
 #include "batch/batch.h"
 #include "calibration/intrinsics.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Which lens took each photograph, from 0 in the order of their first photographs: photographs of
 /// one size, camera model and focal length (Exif) share a lens.
@@ -18,4 +18,4 @@ std::vector<int> lensesOf(std::span<const batch::Shot> shots);
 std::vector<int> toldApart(std::vector<int> lenses, std::span<const batch::Shot> shots,
                            std::span<const TargetView> views);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

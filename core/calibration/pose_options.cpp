@@ -1,6 +1,6 @@
 #include "calibration/calibrate.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 Result<void> PoseOptions::check() const {
   if (!(table_repeatability_rad > 0))
@@ -10,4 +10,4 @@ Result<void> PoseOptions::check() const {
   return {};
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

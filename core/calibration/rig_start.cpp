@@ -5,7 +5,7 @@
 
 #include "base/median.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 double wrapped(double angle) {
@@ -202,4 +202,4 @@ std::optional<RigStart> startRig(const RigState& cameras, const std::vector<View
   return start.take();
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

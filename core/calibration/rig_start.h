@@ -5,7 +5,7 @@
 
 #include "calibration/bundle_adjustment.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 
 /// Pose of one photograph found from its own markers. Camera, side and stop are indices.
 struct ViewPose {
@@ -31,4 +31,4 @@ std::optional<RigStart> startRig(const RigState& cameras, const std::vector<View
                                  const std::vector<int>& stop_numbers, Cameras known,
                                  SidesShot sides = SidesShot::Both);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -4,11 +4,11 @@
 
 #include "colmap/colmap_program.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 
-std::vector<std::string> desktopHolders(const std::vector<FoundDevice>& devices) {
+std::vector<std::string> desktopHolders(const std::vector<devices::FoundDevice>& devices) {
   std::vector<std::string> holders;
-  for (const FoundDevice& device : devices)
+  for (const devices::FoundDevice& device : devices)
     for (const std::string& holder : device.holders)
       if (holder.starts_with("gvfs") &&
           std::find(holders.begin(), holders.end(), holder) == holders.end())
@@ -16,14 +16,15 @@ std::vector<std::string> desktopHolders(const std::vector<FoundDevice>& devices)
   return holders;
 }
 
-Result<void> releaseFromDesktop(const std::vector<FoundDevice>& devices, const RunProgram& run,
-                                const std::function<std::vector<FoundDevice>()>& find_again) {
+Result<void> releaseFromDesktop(
+    const std::vector<devices::FoundDevice>& devices, const RunProgram& run,
+    const std::function<std::vector<devices::FoundDevice>()>& find_again) {
   if (desktopHolders(devices).empty()) return {};
   // Each may fail where the desktop has no such program or service; only what is left counts.
   (void)run("gio", {"mount", "-s", "gphoto2"});
   if (desktopHolders(find_again()).empty()) return {};
   (void)run("systemctl", {"--user", "stop", "gvfs-gphoto2-volume-monitor.service"});
-  for (const FoundDevice& device : find_again())
+  for (const devices::FoundDevice& device : find_again())
     if (const auto holders = desktopHolders({device}); !holders.empty())
       return Error{ErrorCode::Failed,
                    "The desktop does not release the camera: it is still in use by " +
@@ -35,10 +36,10 @@ Result<void> releaseFromDesktop(const std::vector<FoundDevice>& devices, const R
 RunProgram programRunner(std::stop_token stop) {
   return [stop](const std::string& program,
                 const std::vector<std::string>& arguments) -> Result<void> {
-    const auto found = rig::findProgram(program);
+    const auto found = colmap::findProgram(program);
     if (!found) return Error{ErrorCode::Missing, "This program is not installed.", program};
-    return rig::runProgram(*found, arguments, "/dev/null", stop);
+    return colmap::runProgram(*found, arguments, "/dev/null", stop);
   };
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

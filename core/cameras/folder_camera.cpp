@@ -9,7 +9,7 @@
 #include "batch/photograph.h"
 #include "files/files.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,16 +29,18 @@ struct FileState {
   bool operator==(const FileState&) const = default;
 };
 
-class FolderCamera final : public Camera {
+class FolderCamera final : public devices::Camera {
  public:
-  FolderCamera(FolderCameraOptions options, std::shared_ptr<Clock> clock)
+  FolderCamera(FolderCameraOptions options, std::shared_ptr<devices::Clock> clock)
       : options_(std::move(options)), clock_(std::move(clock)) {}
 
-  CameraId id() const override {
+  devices::CameraId id() const override {
     return {"folder", "Watched folder", options_.folder.string(), options_.folder.string()};
   }
-  Result<std::vector<CameraSetting>> settings() override { return std::vector<CameraSetting>{}; }
-  Result<CameraSetting> set(const std::string& name, const std::string&) override {
+  Result<std::vector<devices::CameraSetting>> settings() override {
+    return std::vector<devices::CameraSetting>{};
+  }
+  Result<devices::CameraSetting> set(const std::string& name, const std::string&) override {
     return Error{ErrorCode::UnusableInput,
                  "A watched folder has no setting " + name + "; set it on the camera.", where()};
   }
@@ -56,7 +58,7 @@ class FolderCamera final : public Camera {
     return {};
   }
 
-  Result<std::vector<CameraFile>> fetch(double timeout_s, std::stop_token stop) override {
+  Result<std::vector<devices::CameraFile>> fetch(double timeout_s, std::stop_token stop) override {
     const double deadline_s = clock_->now_s() + timeout_s;
     std::map<fs::path, FileState> before;
     double changed_s = clock_->now_s();
@@ -71,7 +73,7 @@ class FolderCamera final : public Camera {
         changed_s = clock_->now_s();
       }
       if (clock_->now_s() - changed_s >= options_.steady_s && hasPhotograph(fresh)) {
-        Result<std::vector<CameraFile>> files = take(fresh);
+        Result<std::vector<devices::CameraFile>> files = take(fresh);
         if (files || files.error().code == ErrorCode::UnusableInput) return files;
       }
       if (clock_->now_s() >= deadline_s)
@@ -115,8 +117,8 @@ class FolderCamera final : public Camera {
   }
 
   // Missing: not whole yet, wait on.
-  Result<std::vector<CameraFile>> take(const std::map<fs::path, FileState>& fresh) {
-    std::vector<CameraFile> files;
+  Result<std::vector<devices::CameraFile>> take(const std::map<fs::path, FileState>& fresh) {
+    std::vector<devices::CameraFile> files;
     std::string photograph;
     for (const auto& [file, state] : fresh) {
       if (!batch::hasPhotographEnding(file)) continue;
@@ -139,13 +141,14 @@ class FolderCamera final : public Camera {
       if (belongs) files.push_back({file.filename().string(), std::move(*bytes)});
       known_.insert(file);
     }
-    std::stable_partition(files.begin(), files.end(),
-                          [](const CameraFile& f) { return batch::hasPhotographEnding(f.name); });
+    std::stable_partition(files.begin(), files.end(), [](const devices::CameraFile& f) {
+      return batch::hasPhotographEnding(f.name);
+    });
     return files;
   }
 
   FolderCameraOptions options_;
-  std::shared_ptr<Clock> clock_;
+  std::shared_ptr<devices::Clock> clock_;
   std::set<fs::path> known_;
 };
 
@@ -158,12 +161,13 @@ Result<void> FolderCameraOptions::check() const {
   return {};
 }
 
-Result<std::unique_ptr<Camera>> openFolderCamera(const FolderCameraOptions& options,
-                                                 std::shared_ptr<Clock> clock) {
+Result<std::unique_ptr<devices::Camera>> openFolderCamera(const FolderCameraOptions& options,
+                                                          std::shared_ptr<devices::Clock> clock) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
-  std::unique_ptr<Camera> camera = std::make_unique<FolderCamera>(options, std::move(clock));
+  std::unique_ptr<devices::Camera> camera =
+      std::make_unique<FolderCamera>(options, std::move(clock));
   if (const Result<void> ready = camera->getReady({}); !ready) return ready.error();
   return camera;
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

@@ -5,7 +5,7 @@
 #include "devices/camera.h"
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 
 struct FolderCameraOptions {
   std::filesystem::path folder;  ///< where the camera's own software puts its photographs
@@ -17,7 +17,7 @@ struct FolderCameraOptions {
 /// Any camera whose own software writes files: new ones in a folder are its photographs. The files
 /// stay where they are. Files that were there before getReady(), hidden ones and partial ones
 /// (.part, .tmp) do not count; two photographs for one shot are refused.
-Result<std::unique_ptr<Camera>> openFolderCamera(const FolderCameraOptions& options,
-                                                 std::shared_ptr<Clock> clock);
+Result<std::unique_ptr<devices::Camera>> openFolderCamera(const FolderCameraOptions& options,
+                                                          std::shared_ptr<devices::Clock> clock);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "cameras/gphoto_library.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
 constexpr double kBusy_s = 4;       // "I/O in progress" passes; a person who stops waits as long
@@ -46,9 +46,9 @@ const std::map<std::string, std::vector<std::string>>& keysOf() {
   return keys;
 }
 
-class GphotoCamera final : public Camera {
+class GphotoCamera final : public devices::Camera {
  public:
-  GphotoCamera(std::string serial, std::shared_ptr<Clock> clock)
+  GphotoCamera(std::string serial, std::shared_ptr<devices::Clock> clock)
       : serial_(std::move(serial)), clock_(std::move(clock)), context_(gp_context_new()) {}
   ~GphotoCamera() override { (void)close(); }
   GphotoCamera(const GphotoCamera&) = delete;
@@ -81,12 +81,12 @@ class GphotoCamera final : public Camera {
     return best;
   }
 
-  CameraId id() const override { return {"gphoto2", model_, serial_, port_}; }
+  devices::CameraId id() const override { return {"gphoto2", model_, serial_, port_}; }
 
-  Result<std::vector<CameraSetting>> settings() override {
-    std::vector<CameraSetting> all;
+  Result<std::vector<devices::CameraSetting>> settings() override {
+    std::vector<devices::CameraSetting> all;
     for (const auto& [name, keys] : keysOf()) {
-      const Result<CameraSetting> setting = read(name);
+      const Result<devices::CameraSetting> setting = read(name);
       if (setting)
         all.push_back(*setting);
       else if (setting.error().code == ErrorCode::Missing)
@@ -95,8 +95,8 @@ class GphotoCamera final : public Camera {
     return all;
   }
 
-  Result<CameraSetting> set(const std::string& name, const std::string& value) override {
-    const Result<CameraSetting> before = read(name);
+  Result<devices::CameraSetting> set(const std::string& name, const std::string& value) override {
+    const Result<devices::CameraSetting> before = read(name);
     if (!before) return before;
     if (before->value == value) return before;
     const auto& choices = before->choices;
@@ -109,7 +109,7 @@ class GphotoCamera final : public Camera {
     const std::string key = keyOf(name);
     if (Result<void> r = write(key, value); !r) return r.error();
     changed_.insert({key, before->value});  // the first value is what is restored
-    const Result<CameraSetting> after = read(name);
+    const Result<devices::CameraSetting> after = read(name);
     if (after && after->value != value)
       return Error{ErrorCode::UnusableInput,
                    "The camera keeps " + name + " at " + after->value + " instead of " + value +
@@ -166,16 +166,16 @@ class GphotoCamera final : public Camera {
     }
   }
 
-  Result<std::vector<CameraFile>> fetch(double timeout_s, std::stop_token stop) override {
+  Result<std::vector<devices::CameraFile>> fetch(double timeout_s, std::stop_token stop) override {
     if (camera_ == nullptr) return notOpen();
-    std::vector<CameraFile> files;
+    std::vector<devices::CameraFile> files;
     double deadline_s = clock_->now_s() + timeout_s;
     while (clock_->now_s() < deadline_s) {
       if (stop.stop_requested()) return Error::cancelled();
       const Result<Event> event = next();
       if (!event) return event.error();
       if (!event->file) continue;
-      Result<CameraFile> file = download(*event->file);
+      Result<devices::CameraFile> file = download(*event->file);
       if (!file) return file.error();
       files.push_back(std::move(*file));
       if (!two_files_ || files.size() == 2) return files;
@@ -299,13 +299,13 @@ class GphotoCamera final : public Camera {
     return {};
   }
 
-  Result<CameraSetting> read(const std::string& name) const {
+  Result<devices::CameraSetting> read(const std::string& name) const {
     if (camera_ == nullptr) return notOpen();
     const std::string key = keyOf(name);
     const Widget found = key.empty() ? nullptr : widget(key);
     if (!found)
       return Error{ErrorCode::UnusableInput, "The camera has no setting " + name + ".", serial_};
-    CameraSetting setting{name, valueOf(found.get()), {}, false};
+    devices::CameraSetting setting{name, valueOf(found.get()), {}, false};
     int read_only = 0;
     gp_widget_get_readonly(found.get(), &read_only);
     setting.read_only = read_only != 0;
@@ -361,7 +361,7 @@ class GphotoCamera final : public Camera {
     return {data, size};
   }
 
-  Result<CameraFile> download(const OnCamera& place) {
+  Result<devices::CameraFile> download(const OnCamera& place) {
     const double deadline_s = clock_->now_s() + kBusy_s;
     while (true) {
       ::CameraFile* made = nullptr;
@@ -369,7 +369,7 @@ class GphotoCamera final : public Camera {
       const std::unique_ptr<::CameraFile, FileDeleter> file(made);
       const int code = gp_camera_file_get(camera_, place.folder.c_str(), place.name.c_str(),
                                           GP_FILE_TYPE_NORMAL, file.get(), context_.get());
-      if (code >= GP_OK) return CameraFile{place.name, bytesOf(file.get())};
+      if (code >= GP_OK) return devices::CameraFile{place.name, bytesOf(file.get())};
       if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
         return gphotoTrouble(code, serial_);
       clock_->sleep(0.1, {});
@@ -377,7 +377,7 @@ class GphotoCamera final : public Camera {
   }
 
   std::string serial_;
-  std::shared_ptr<Clock> clock_;
+  std::shared_ptr<devices::Clock> clock_;
   Context context_;
   ::Camera* camera_ = nullptr;
   std::string model_, port_;
@@ -387,11 +387,11 @@ class GphotoCamera final : public Camera {
 
 }  // namespace
 
-Result<std::unique_ptr<Camera>> openGphotoCamera(const std::string& serial,
-                                                 std::shared_ptr<Clock> clock) {
+Result<std::unique_ptr<devices::Camera>> openGphotoCamera(const std::string& serial,
+                                                          std::shared_ptr<devices::Clock> clock) {
   auto camera = std::make_unique<GphotoCamera>(serial, std::move(clock));
   if (const Result<void> opened = camera->open(); !opened) return opened.error();
-  return std::unique_ptr<Camera>(std::move(camera));
+  return std::unique_ptr<devices::Camera>(std::move(camera));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

@@ -6,19 +6,19 @@
 #include "devices/camera.h"
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 
 /// A system camera that libgphoto2 sees.
 struct FoundCamera {
-  CameraId id;          ///< the serial number is empty when it could not be asked
-  std::string trouble;  ///< why not, and what to do; empty: all is well
+  devices::CameraId id;  ///< the serial number is empty when it could not be asked
+  std::string trouble;   ///< why not, and what to do; empty: all is well
 };
 Result<std::vector<FoundCamera>> listGphotoCameras();
 
 /// serial: as the camera tells it, or "ptpip:host:port:port" for one in the network. What is
 /// changed is restored by close(). Files on the camera's card stay there. Errors: Missing (not
 /// plugged in, held by another program, no permission).
-Result<std::unique_ptr<Camera>> openGphotoCamera(const std::string& serial,
-                                                 std::shared_ptr<Clock> clock);
+Result<std::unique_ptr<devices::Camera>> openGphotoCamera(const std::string& serial,
+                                                          std::shared_ptr<devices::Clock> clock);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

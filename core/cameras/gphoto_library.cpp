@@ -8,7 +8,7 @@
 
 #include "cameras/gphoto_camera.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 
 // libgphoto2 loads its drivers by libltdl, which is not safe in threads: one lock round loading,
 // opening and closing. The only mutable static here, since the library's state is one as well.
@@ -117,4 +117,4 @@ Result<std::vector<FoundCamera>> listGphotoCameras() {
   return found;
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

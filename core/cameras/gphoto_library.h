@@ -10,7 +10,7 @@ typedef struct _GPContext GPContext;
 }
 
 /// What the drivers of system cameras share of libgphoto2.
-namespace ostraka::capture {
+namespace ostraka::cameras {
 
 /// Round loading, opening and closing.
 std::mutex& gphotoLock();
@@ -38,4 +38,4 @@ class KeepDescriptorZero {
   int copy_;
 };
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

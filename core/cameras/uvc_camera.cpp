@@ -9,7 +9,7 @@
 #include <opencv2/videoio.hpp>
 #include <optional>
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
 constexpr double kFresh_s = 0.008;  // a frame that had to be waited for was not lying about
@@ -36,9 +36,9 @@ std::string written(double value) {
   return text;
 }
 
-class UvcCamera final : public Camera {
+class UvcCamera final : public devices::Camera {
  public:
-  UvcCamera(UvcOptions options, std::shared_ptr<Clock> clock)
+  UvcCamera(UvcOptions options, std::shared_ptr<devices::Clock> clock)
       : options_(std::move(options)), clock_(std::move(clock)) {}
 
   Result<void> open() {
@@ -63,16 +63,18 @@ class UvcCamera final : public Camera {
     return {};
   }
 
-  CameraId id() const override { return {"uvc", "Video camera", options_.source, options_.source}; }
+  devices::CameraId id() const override {
+    return {"uvc", "Video camera", options_.source, options_.source};
+  }
 
-  Result<std::vector<CameraSetting>> settings() override {
-    std::vector<CameraSetting> all;
+  Result<std::vector<devices::CameraSetting>> settings() override {
+    std::vector<devices::CameraSetting> all;
     for (const auto& [name, property] : properties())
       all.push_back({name, written(video_.get(property.value)), {}, false});
     return all;
   }
 
-  Result<CameraSetting> set(const std::string& name, const std::string& value) override {
+  Result<devices::CameraSetting> set(const std::string& name, const std::string& value) override {
     const auto found = properties().find(name);
     char* end = nullptr;
     const double wanted = std::strtod(value.c_str(), &end);
@@ -95,7 +97,7 @@ class UvcCamera final : public Camera {
           ErrorCode::UnusableInput,
           "The camera keeps " + name + " at " + written(kept) + " instead of " + value + ".",
           options_.source};
-    return CameraSetting{name, written(kept), {}, false};
+    return devices::CameraSetting{name, written(kept), {}, false};
   }
 
   Result<std::string> preview(std::stop_token) override {
@@ -126,7 +128,7 @@ class UvcCamera final : public Camera {
     return {};
   }
 
-  Result<std::vector<CameraFile>> fetch(double, std::stop_token) override {
+  Result<std::vector<devices::CameraFile>> fetch(double, std::stop_token) override {
     if (!frame_) return gone("The video camera took no picture.");
     const cv::Mat frame = *frame_;
     frame_.reset();
@@ -135,7 +137,7 @@ class UvcCamera final : public Camera {
                    "The video camera delivers pictures of " + std::to_string(frame.cols) + "x" +
                        std::to_string(frame.rows) + " pixels instead of the configured size.",
                    options_.source};
-    return std::vector<CameraFile>{{"frame.jpg", encoded(frame, 95)}};
+    return std::vector<devices::CameraFile>{{"frame.jpg", encoded(frame, 95)}};
   }
 
   Result<void> reopen(std::stop_token stop) override {
@@ -180,7 +182,7 @@ class UvcCamera final : public Camera {
   }
 
   UvcOptions options_;
-  std::shared_ptr<Clock> clock_;
+  std::shared_ptr<devices::Clock> clock_;
   cv::VideoCapture video_;
   std::optional<cv::Mat> frame_;
   std::map<int, double> before_;  // what is restored
@@ -197,12 +199,12 @@ Result<void> UvcOptions::check() const {
   return {};
 }
 
-Result<std::unique_ptr<Camera>> openUvcCamera(const UvcOptions& options,
-                                              std::shared_ptr<Clock> clock) {
+Result<std::unique_ptr<devices::Camera>> openUvcCamera(const UvcOptions& options,
+                                                       std::shared_ptr<devices::Clock> clock) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   auto camera = std::make_unique<UvcCamera>(options, std::move(clock));
   if (const Result<void> opened = camera->open(); !opened) return opened.error();
-  return std::unique_ptr<Camera>(std::move(camera));
+  return std::unique_ptr<devices::Camera>(std::move(camera));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

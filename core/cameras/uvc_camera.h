@@ -5,7 +5,7 @@
 #include "devices/camera.h"
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 
 struct UvcOptions {
   std::string source;         ///< best /dev/v4l/by-id/...; any source that OpenCV opens
@@ -17,7 +17,7 @@ struct UvcOptions {
 /// A video camera through OpenCV. A photograph is the first frame after the buffers are empty, as
 /// JPEG. Focus, exposure and white balance are held by set("focus" ...): its automatic is then off.
 /// Errors: Missing (not there, or held by another program).
-Result<std::unique_ptr<Camera>> openUvcCamera(const UvcOptions& options,
-                                              std::shared_ptr<Clock> clock);
+Result<std::unique_ptr<devices::Camera>> openUvcCamera(const UvcOptions& options,
+                                                       std::shared_ptr<devices::Clock> clock);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

@@ -52,7 +52,7 @@ std::string lowerExtension(const std::string& name) {
 
 // The extension under which the chain reads it; empty for raw formats. The camera's own name
 // decides, since many raw formats are TIFF inside.
-std::string photographExtension(const CameraFile& file) {
+std::string photographExtension(const devices::CameraFile& file) {
   const std::string extension = lowerExtension(file.name);
   if (extension == ".jpg" || extension == ".jpeg") return ".jpg";
   if (extension == ".png") return ".png";
@@ -250,11 +250,11 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
   return {};
 }
 
-Result<Arriving> BatchStore::stage(const std::vector<CameraFile>& files, int camera, int stop,
-                                   double angle_deg, const CameraId& id) const {
-  const auto photograph = std::find_if(files.begin(), files.end(), [](const CameraFile& f) {
-    return !photographExtension(f).empty();
-  });
+Result<Arriving> BatchStore::stage(const std::vector<devices::CameraFile>& files, int camera,
+                                   int stop, double angle_deg, const devices::CameraId& id) const {
+  const auto photograph =
+      std::find_if(files.begin(), files.end(),
+                   [](const devices::CameraFile& f) { return !photographExtension(f).empty(); });
   if (photograph == files.end())
     return Error{ErrorCode::UnusableInput,
                  "Camera " + batch::cameraLetter(camera) +
@@ -279,7 +279,7 @@ Result<Arriving> BatchStore::stage(const std::vector<CameraFile>& files, int cam
   std::error_code absent;
   fs::remove(first, absent);  // of a try that broke off; never a name of the batch
   if (Result<void> r = writeNewFile(first, photograph->bytes); !r) return r.error();
-  for (const CameraFile& file : files) {
+  for (const devices::CameraFile& file : files) {
     if (&file == &*photograph || !photographExtension(file).empty()) continue;
     const std::string raw = "raw/" + std::string(batch::name(side_)) + "_" +
                             shotName(camera, stop) + "_take" + std::to_string(entry.take) +

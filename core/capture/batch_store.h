@@ -30,8 +30,8 @@ class BatchStore {
 
   /// Writes and syncs the files of one shot; may be called by several threads for several cameras.
   /// Errors: CannotWrite; UnusableInput when no file is a JPEG, PNG or TIFF.
-  Result<Arriving> stage(const std::vector<CameraFile>& files, int camera, int stop,
-                         double angle_deg, const CameraId& id) const;
+  Result<Arriving> stage(const std::vector<devices::CameraFile>& files, int camera, int stop,
+                         double angle_deg, const devices::CameraId& id) const;
   /// The manifest first, then the names: all arriving photographs are in the batch.
   Result<void> commit(std::vector<Arriving> arriving);
   /// Shots that are not kept go to the folder set_aside: the manifest first, then the names, so

@@ -44,49 +44,52 @@ DevicesFile devicesFromJson(const nlohmann::json& json) {
   return devices;
 }
 
-Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, const AskPerson& ask,
-                                                 const std::shared_ptr<Clock>& clock,
-                                                 const fs::path& rig_file, std::stop_token stop) {
-  if (place.driver == "hand") return openHandTurntable(ask);
+Result<std::unique_ptr<devices::Turntable>> openTurntable(
+    const TurntablePlace& place, const devices::AskPerson& ask,
+    const std::shared_ptr<devices::Clock>& clock, const fs::path& rig_file, std::stop_token stop) {
+  if (place.driver == "hand") return turntables::openHandTurntable(ask);
   const bool comxim = place.driver == "comxim1" || place.driver == "comxim2";
   const bool text = place.driver == "text";
   if (!comxim && !text && place.driver != "grbl")
     return Error::unusable("The turntable driver " + place.driver +
                                " is unknown; available: grbl, comxim1, comxim2, text, hand.",
                            rig_file);
-  TextTableOptions words{marlinDialect(), place.speed_deg_s, place.clockwise};
+  turntables::TextTableOptions words{turntables::marlinDialect(), place.speed_deg_s,
+                                     place.clockwise};
   if (text && !place.dialect.empty()) {
-    const Result<TextDialect> dialect = dialectFromJson(jsonOrDiscarded(place.dialect));
+    const Result<turntables::TextDialect> dialect =
+        turntables::dialectFromJson(jsonOrDiscarded(place.dialect));
     if (!dialect) return Error::unusable(dialect.error().what, rig_file);
     words.dialect = *dialect;
   }
-  Result<std::unique_ptr<ByteChannel>> channel = openChannel(place.channel, place.baud);
+  Result<std::unique_ptr<devices::ByteChannel>> channel =
+      devices::openChannel(place.channel, place.baud);
   if (!channel) return channel.error();
   if (comxim) {
-    const auto dialect =
-        place.driver == "comxim1" ? ComXimDialect::Brackets : ComXimDialect::Commas;
-    return openComXim(std::move(*channel), {dialect, place.speed_deg_s, place.clockwise}, clock,
-                      std::move(stop));
+    const auto dialect = place.driver == "comxim1" ? turntables::ComXimDialect::Brackets
+                                                   : turntables::ComXimDialect::Commas;
+    return turntables::openComXim(
+        std::move(*channel), {dialect, place.speed_deg_s, place.clockwise}, clock, std::move(stop));
   }
-  if (text) return openTextTable(std::move(*channel), words, clock, std::move(stop));
-  const GrblOptions options{place.speed_deg_s, place.shutter, place.clockwise};
-  return openGrbl(std::move(*channel), options, clock, std::move(stop));
+  if (text) return turntables::openTextTable(std::move(*channel), words, clock, std::move(stop));
+  const turntables::GrblOptions options{place.speed_deg_s, place.shutter, place.clockwise};
+  return turntables::openGrbl(std::move(*channel), options, clock, std::move(stop));
 }
 
-Result<std::unique_ptr<Camera>> openCamera(const CameraPlace& place,
-                                           const std::shared_ptr<Clock>& clock,
-                                           const fs::path& rig_file) {
+Result<std::unique_ptr<devices::Camera>> openCamera(const CameraPlace& place,
+                                                    const std::shared_ptr<devices::Clock>& clock,
+                                                    const fs::path& rig_file) {
   if (place.driver == "folder") {
-    FolderCameraOptions options;
+    cameras::FolderCameraOptions options;
     options.folder =
         place.folder.is_relative() ? rig_file.parent_path() / place.folder : place.folder;
-    return openFolderCamera(options, clock);
+    return cameras::openFolderCamera(options, clock);
   }
-  if (place.driver == "gphoto2") return openGphotoCamera(place.serial, clock);
+  if (place.driver == "gphoto2") return cameras::openGphotoCamera(place.serial, clock);
   if (place.driver == "uvc") {
-    UvcOptions options;
+    cameras::UvcOptions options;
     options.source = place.serial;
-    return openUvcCamera(options, clock);
+    return cameras::openUvcCamera(options, clock);
   }
   return Error::unusable(
       "The camera driver " + place.driver + " is unknown; available: folder, gphoto2, uvc.",
@@ -117,7 +120,7 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
   }
 }
 
-Result<RigDevices> openRigDevices(const fs::path& rig_file, const AskPerson& ask,
+Result<RigDevices> openRigDevices(const fs::path& rig_file, const devices::AskPerson& ask,
                                   std::stop_token stop) {
   const Result<DevicesFile> file = readDevices(rig_file);
   if (!file) return file.error();
@@ -128,23 +131,23 @@ Result<RigDevices> openRigDevices(const fs::path& rig_file, const AskPerson& ask
   devices.plate = *plate;
   for (const CameraPlace& place : file->cameras) {
     if (stop.stop_requested()) return Error::cancelled();
-    Result<std::unique_ptr<Camera>> camera = openCamera(place, devices.clock, rig_file);
+    Result<std::unique_ptr<devices::Camera>> camera = openCamera(place, devices.clock, rig_file);
     if (!camera) return camera.error();
     std::map<std::string, std::string>& wanted = devices.wanted_settings.emplace_back();
     for (const auto& [name, value] : place.settings) {
-      const Result<CameraSetting> set = (*camera)->set(name, value);
+      const Result<devices::CameraSetting> set = (*camera)->set(name, value);
       if (!set) return set.error();
       wanted[name] = set->value;  // as the camera writes it
     }
     devices.cameras.push_back(std::move(*camera));
   }
-  Result<std::unique_ptr<Turntable>> table =
+  Result<std::unique_ptr<devices::Turntable>> table =
       openTurntable(file->turntable, ask, devices.clock, rig_file, stop);
   if (!table) return table.error();
   devices.turntable = std::move(*table);
   if (devices.turntable->turnsItself())
-    devices.turntable = rememberPosition(std::move(devices.turntable),
-                                         fs::path(rig_file).replace_extension(".turntable.json"));
+    devices.turntable = turntables::rememberPosition(
+        std::move(devices.turntable), fs::path(rig_file).replace_extension(".turntable.json"));
   return devices;
 }
 

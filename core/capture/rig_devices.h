@@ -43,7 +43,7 @@ Result<DevicesFile> readDevices(const std::filesystem::path& rig_file);
 /// Opens all devices of RIG.json; a camera that is not plugged in stops with its serial number, and
 /// with those that are. ask: needed by the driver "hand" only. The virtual rig is
 /// virtualrig::openVirtualRig. Errors: UnusableInput (the file), Missing (a device).
-Result<RigDevices> openRigDevices(const std::filesystem::path& rig_file, const AskPerson& ask,
-                                  std::stop_token stop);
+Result<RigDevices> openRigDevices(const std::filesystem::path& rig_file,
+                                  const devices::AskPerson& ask, std::stop_token stop);
 
 }  // namespace ostraka::capture

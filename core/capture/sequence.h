@@ -21,14 +21,15 @@ namespace ostraka::capture {
 
 /// The opened devices of a rig, real or virtual.
 struct RigDevices {
-  std::unique_ptr<Turntable> turntable;
-  std::vector<std::unique_ptr<Camera>> cameras;  ///< by place; a shot's camera number is its index
-  batch::Plate plate;                            ///< what lies on the table
-  double settle_s = 1.5;                         ///< from standstill to a still picture
+  std::unique_ptr<devices::Turntable> turntable;
+  std::vector<std::unique_ptr<devices::Camera>>
+      cameras;            ///< by place; a shot's camera number is its index
+  batch::Plate plate;     ///< what lies on the table
+  double settle_s = 1.5;  ///< from standstill to a still picture
   /// By camera, as RIG.json has them: set before each side, compared at each shot. A camera without
   /// any is compared with its own first shot.
   std::vector<std::map<std::string, std::string>> wanted_settings{};
-  std::shared_ptr<Clock> clock = steadyClock();
+  std::shared_ptr<devices::Clock> clock = devices::steadyClock();
   /// SHA-256 of every photograph that the cameras handed over since they were opened: none of them
   /// is accepted a second time, whatever side and batch is shot next.
   std::set<std::string> delivered{};

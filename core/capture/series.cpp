@@ -111,7 +111,7 @@ Result<void> Series::prepare() {
 // Front and back of a batch by the same cameras, or the calibration holds for one side only. A
 // folder or a video device is known by its path, which may change.
 Result<void> Series::sameCamera(int camera) const {
-  const CameraId id = devices_.cameras[static_cast<std::size_t>(camera)]->id();
+  const devices::CameraId id = devices_.cameras[static_cast<std::size_t>(camera)]->id();
   if (id.driver == "folder" || id.driver == "uvc" || id.serial.empty()) return {};
   for (const ManifestEntry& entry : store_->manifest().entries)
     if (entry.used && entry.camera == camera && !entry.camera_serial.empty() &&
@@ -145,7 +145,7 @@ Result<void> Series::readReferences() {
 }
 
 Result<void> Series::findPosition() {
-  Turntable& table = *devices_.turntable;
+  devices::Turntable& table = *devices_.turntable;
   if (table.position_deg()) return {};
   const Result<void> homed = table.home(stop_);
   if (homed) return {};

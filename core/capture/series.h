@@ -39,8 +39,8 @@ class Series {
   /// Delivered by a camera; put on disk and looked at while the table turns on.
   struct Shot {
     int stop = 0, camera = 0;
-    std::vector<CameraFile> files{};  ///< empty: on disk already
-    CameraId id{};
+    std::vector<devices::CameraFile> files{};  ///< empty: on disk already
+    devices::CameraId id{};
     std::map<std::string, std::string> settings{};
     ShotCheck check{};
     int epoch = 0;  ///< of the table's count when it was taken; -1: says nothing about the table
@@ -48,7 +48,7 @@ class Series {
   };
   struct Delivery {
     Result<void> outcome;
-    std::vector<CameraFile> files;
+    std::vector<devices::CameraFile> files;
     double fetched_s = 0;
   };
   /// May the next file of a camera be one of an earlier trigger? A throw-away exposure is taken at

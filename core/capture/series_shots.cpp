@@ -23,8 +23,8 @@ bool sameSherds(const PlateInspection& a, const PlateInspection& b) {
   return 5 * same >= 4 * std::max(a.sherds.size(), b.sherds.size());
 }
 
-const CameraFile* photographIn(const std::vector<CameraFile>& files) {
-  for (const CameraFile& file : files)
+const devices::CameraFile* photographIn(const std::vector<devices::CameraFile>& files) {
+  for (const devices::CameraFile& file : files)
     if (batch::imageSize(file.bytes, {})) return &file;
   return nullptr;
 }
@@ -58,10 +58,10 @@ Result<void> Series::setAsRigSays(int camera) {
 void Series::emptyCamera(int camera) {
   const auto c = static_cast<std::size_t>(camera);
   if (!devices_.cameras[c]->getReady(stop_)) return;
-  const Result<std::vector<CameraSetting>> settings = devices_.cameras[c]->settings();
+  const Result<std::vector<devices::CameraSetting>> settings = devices_.cameras[c]->settings();
   if (!settings) return;
   watches_[c].settings.clear();
-  for (const CameraSetting& s : *settings) watches_[c].settings[s.name] = s.value;
+  for (const devices::CameraSetting& s : *settings) watches_[c].settings[s.name] = s.value;
 }
 
 std::vector<int> Series::doubted(const Task& task) const {
@@ -96,7 +96,7 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
     if (Result<void> r = expose(cameras, task.stop, shots); !r) return r;
     cameras.clear();
     for (Shot& shot : shots) {
-      const CameraFile* photograph = photographIn(shot.files);
+      const devices::CameraFile* photograph = photographIn(shot.files);
       const bool fresh =
           photograph != nullptr && devices_.delivered.insert(sha256(photograph->bytes)).second;
       Watch& watch = watches_[static_cast<std::size_t>(shot.camera)];
@@ -165,7 +165,7 @@ Result<void> Series::keepAndCheck() {
     }
     kept[i].arriving =
         store_->stage(shot.files, shot.camera, shot.stop, angleOf(shot.stop), shot.id);
-    const CameraFile* photograph = photographIn(shot.files);
+    const devices::CameraFile* photograph = photographIn(shot.files);
     if (photograph != nullptr) kept[i].inspection = inspectBytes(photograph->bytes, devices_.plate);
   });
   Result<void> result;
@@ -300,12 +300,12 @@ Result<void> Series::expose(std::vector<int> cameras, int stop, std::vector<Shot
 }
 
 Series::Delivery Series::shootOne(int camera, bool triggered) {
-  Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
+  devices::Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
   Delivery delivery;
   if (!triggered) delivery.outcome = device.trigger();
   if (delivery.outcome) {
     const double patience_s = byHand(camera) ? options_.press_timeout_s : options_.fetch_timeout_s;
-    Result<std::vector<CameraFile>> files = device.fetch(patience_s, stop_);
+    Result<std::vector<devices::CameraFile>> files = device.fetch(patience_s, stop_);
     if (files)
       delivery.files = std::move(*files);
     else
@@ -322,7 +322,7 @@ Result<void> Series::recoverCamera(int camera, int stop, const Error& trouble) {
         .trouble = trouble.sentence()});
   progress_.note(NoteLevel::Warning,
                  "capture: " + shotWords(stop, camera) + ": " + trouble.sentence());
-  Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
+  devices::Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
   Result<void> back = device.reopen(stop_);
   if (back) (void)setAsRigSays(camera);     // one that was switched off; the shot's check tells
   if (back) back = device.getReady(stop_);  // drops what the failed try may still deliver

@@ -12,10 +12,10 @@
 namespace ostraka::catalogue {
 namespace {
 
-std::string nextNumber(Database& database) {
+std::string nextNumber(store::Database& database) {
   // B0009, B0010, ... B9999, B10000: by value, not by letters.
   std::int64_t last = 0;
-  Statement rows = database.sql(
+  store::Statement rows = database.sql(
       "SELECT ifnull(max(CAST(substr(number, 2) AS INTEGER)), 0) FROM batch WHERE number GLOB "
       "'B[0-9]*'");
   if (rows.next()) rows >> last;
@@ -24,7 +24,8 @@ std::string nextNumber(Database& database) {
   return "B" + digits;
 }
 
-void setBags(Database& database, BatchRow batch, const std::vector<BagRow>& bags) {
+void setBags(store::Database& database, store::BatchRow batch,
+             const std::vector<store::BagRow>& bags) {
   database.sql("DELETE FROM batch_bag WHERE batch = ?").with(batch).run();
   for (std::size_t i = 0; i < bags.size(); ++i)
     database.sql("INSERT OR IGNORE INTO batch_bag VALUES (?, ?, ?)")
@@ -32,49 +33,50 @@ void setBags(Database& database, BatchRow batch, const std::vector<BagRow>& bags
         .run();
 }
 
-std::vector<BagRow> bagsOf(Database& database, BatchRow batch) {
-  std::vector<BagRow> bags;
-  Statement rows = database.sql("SELECT bag FROM batch_bag WHERE batch = ? ORDER BY position");
+std::vector<store::BagRow> bagsOf(store::Database& database, store::BatchRow batch) {
+  std::vector<store::BagRow> bags;
+  store::Statement rows =
+      database.sql("SELECT bag FROM batch_bag WHERE batch = ? ORDER BY position");
   rows.with(batch);
   while (rows.next()) {
-    BagRow bag;
+    store::BagRow bag;
     rows >> bag;
     bags.push_back(bag);
   }
   return bags;
 }
 
-std::string bagsText(const std::vector<BagRow>& bags) {
+std::string bagsText(const std::vector<store::BagRow>& bags) {
   std::vector<std::string> words;
-  for (const BagRow& bag : bags) words.push_back(std::to_string(bag.value));
-  return joinTerms(words);
+  for (const store::BagRow& bag : bags) words.push_back(std::to_string(bag.value));
+  return store::joinTerms(words);
 }
 
-void checkBatch(const BatchRecord& b) {
+void checkBatch(const records::BatchRecord& b) {
   if (b.counted < 0 || b.counted > 60)
-    refuse("A plate holds 1 to 60 sherds; 0 means not counted.", b.number);
-  if (b.number.empty() || slug(b.number) != b.number)
-    refuse("The number of a batch is also the name of its folder; use letters and digits.",
-           b.number);
+    store::refuse("A plate holds 1 to 60 sherds; 0 means not counted.", b.number);
+  if (b.number.empty() || store::slug(b.number) != b.number)
+    store::refuse("The number of a batch is also the name of its folder; use letters and digits.",
+                  b.number);
 }
 
 constexpr const char* kBatches =
     "SELECT row, id, number, operator, counted, state, started_ms, ended_ms, reprojection_px, "
     "scale_error_pct, scale_doubts, rig_sha256, program, settings_sha256, note FROM batch ";
 
-BatchRecord readBatchRow(Database& database, Statement& row) {
-  BatchRecord b;
+records::BatchRecord readBatchRow(store::Database& database, store::Statement& row) {
+  records::BatchRecord b;
   std::string state;
   row >> b.row >> b.id >> b.number >> b.operator_ >> b.counted >> state >> b.started_ms >>
       b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> b.scale_doubts >> b.rig_sha256 >>
       b.program >> b.settings_sha256 >> b.note;
-  b.state = fromWord<BatchState>(state);
+  b.state = records::fromWord<records::BatchState>(state);
   b.bags = bagsOf(database, b.row);
   return b;
 }
 
 std::string opt(const std::optional<double>& value) {
-  return value ? numberText(*value) : std::string();
+  return value ? store::numberText(*value) : std::string();
 }
 std::string opt(const std::optional<std::int64_t>& value) {
   return value ? std::to_string(*value) : std::string();
@@ -83,36 +85,39 @@ std::string opt(const std::optional<std::int64_t>& value) {
 }  // namespace
 
 Result<std::string> Catalogue::nextBatchNumber() const {
-  return database_->door([&] { return nextNumber(*database_); });
+  return database_->door([&] { return records::nextNumber(*database_); });
 }
 
-Result<BatchRow> Catalogue::addBatch(const BatchRecord& wanted, const Provenance& provenance) {
+Result<store::BatchRow> Catalogue::addBatch(const records::BatchRecord& wanted,
+                                            const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    BatchRecord b = wanted;
-    if (b.number.empty()) b.number = nextNumber(*database_);
+    records::BatchRecord b = wanted;
+    if (b.number.empty()) b.number = records::nextNumber(*database_);
     checkBatch(b);
-    if (!b.id.empty() && !isUuid(b.id)) refuse("The uuid of a batch is not well formed.", b.id);
-    Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
-    if (same.with(b.number).next()) refuse("The batch " + b.number + " already exists.");
+    if (!b.id.empty() && !store::isUuid(b.id))
+      store::refuse("The uuid of a batch is not well formed.", b.id);
+    store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
+    if (same.with(b.number).next()) store::refuse("The batch " + b.number + " already exists.");
     database_
         ->sql(
             "INSERT INTO batch (id, created_at, created_by, updated_at, updated_by, number, "
             "operator, counted, state, started_ms, ended_ms, reprojection_px, scale_error_pct, "
             "scale_doubts, rig_sha256, program, settings_sha256, note) VALUES (?, ?, ?, ?, ?, ?, "
             "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(b.id.empty() ? newId(now()) : b.id, now(), provenance.person, now(),
-              provenance.person, b.number, b.operator_, b.counted, wordOf(b.state), b.started_ms,
-              b.ended_ms, b.reprojection_px, b.scale_error_pct, b.scale_doubts, b.rig_sha256,
-              b.program, b.settings_sha256, b.note)
+        .with(b.id.empty() ? store::newId(now()) : b.id, now(), provenance.person, now(),
+              provenance.person, b.number, b.operator_, b.counted, records::wordOf(b.state),
+              b.started_ms, b.ended_ms, b.reprojection_px, b.scale_error_pct, b.scale_doubts,
+              b.rig_sha256, b.program, b.settings_sha256, b.note)
         .run();
-    const BatchRow row{database_->lastRow()};
+    const store::BatchRow row{database_->lastRow()};
     setBags(*database_, row, b.bags);
     remember(*this, provenance, "batch", row.value, "", "", b.number);
     return row;
   });
 }
 
-Result<void> Catalogue::saveBatch(const BatchRecord& b, const Provenance& provenance) {
+Result<void> Catalogue::saveBatch(const records::BatchRecord& b,
+                                  const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     checkBatch(b);
     const std::string old_bags = bagsText(bagsOf(*database_, b.row));
@@ -120,7 +125,7 @@ Result<void> Catalogue::saveBatch(const BatchRecord& b, const Provenance& proven
         rememberDifferences(*this, provenance, "batch", b.row.value,
                             {{"operator", b.operator_ ? std::to_string(b.operator_.value) : ""},
                              {"counted", std::to_string(b.counted)},
-                             {"state", wordOf(b.state)},
+                             {"state", records::wordOf(b.state)},
                              {"started_ms", opt(b.started_ms)},
                              {"ended_ms", opt(b.ended_ms)},
                              {"reprojection_px", opt(b.reprojection_px)},
@@ -143,71 +148,73 @@ Result<void> Catalogue::saveBatch(const BatchRecord& b, const Provenance& proven
             "program = ?, "
             "settings_sha256 = ?, note = ?, updated_at = ?, updated_by = ?, revision = revision "
             "+ 1 WHERE row = ?")
-        .with(b.operator_, b.counted, wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256, b.note,
-              now(), provenance.person, b.row)
+        .with(b.operator_, b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
+              b.reprojection_px, b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program,
+              b.settings_sha256, b.note, now(), provenance.person, b.row)
         .run();
   });
 }
 
-Result<void> Catalogue::setBatchState(BatchRow row, BatchState state,
-                                      const Provenance& provenance) {
+Result<void> Catalogue::setBatchState(store::BatchRow row, records::BatchState state,
+                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    if (!rememberDifferences(*this, provenance, "batch", row.value, {{"state", wordOf(state)}}))
+    if (!rememberDifferences(*this, provenance, "batch", row.value,
+                             {{"state", records::wordOf(state)}}))
       return;
     database_
         ->sql(
             "UPDATE batch SET state = ?, updated_at = ?, updated_by = ?, revision = revision + 1 "
             "WHERE row = ?")
-        .with(wordOf(state), now(), provenance.person, row)
+        .with(records::wordOf(state), now(), provenance.person, row)
         .run();
   });
 }
 
-Result<std::vector<BatchRecord>> Catalogue::batches() const {
+Result<std::vector<records::BatchRecord>> Catalogue::batches() const {
   return database_->door([&] {
-    std::vector<BatchRecord> all;
-    Statement rows = database_->sql(std::string(kBatches) + "ORDER BY row DESC");
+    std::vector<records::BatchRecord> all;
+    store::Statement rows = database_->sql(std::string(kBatches) + "ORDER BY row DESC");
     while (rows.next()) all.push_back(readBatchRow(*database_, rows));
     return all;
   });
 }
 
-Result<BatchRecord> Catalogue::batch(BatchRow row) const {
+Result<records::BatchRecord> Catalogue::batch(store::BatchRow row) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kBatches) + "WHERE row = ?");
-    if (!rows.with(row).next()) refuse("This batch is not in the catalogue.");
+    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE row = ?");
+    if (!rows.with(row).next()) store::refuse("This batch is not in the catalogue.");
     return readBatchRow(*database_, rows);
   });
 }
 
-Result<BatchRecord> Catalogue::batchByNumber(const std::string& number) const {
+Result<records::BatchRecord> Catalogue::batchByNumber(const std::string& number) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kBatches) + "WHERE number = ?");
-    if (!rows.with(number).next()) refuse("This batch is not in the catalogue.", number);
+    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE number = ?");
+    if (!rows.with(number).next()) store::refuse("This batch is not in the catalogue.", number);
     return readBatchRow(*database_, rows);
   });
 }
 
-Result<std::optional<BatchRecord>> Catalogue::batchById(const std::string& id) const {
-  return database_->door([&]() -> std::optional<BatchRecord> {
-    Statement rows = database_->sql(std::string(kBatches) + "WHERE id = ?");
+Result<std::optional<records::BatchRecord>> Catalogue::batchById(const std::string& id) const {
+  return database_->door([&]() -> std::optional<records::BatchRecord> {
+    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE id = ?");
     if (!rows.with(id).next()) return std::nullopt;
     return readBatchRow(*database_, rows);
   });
 }
 
-Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Provenance& provenance) {
+Result<store::PhotographRow> Catalogue::save(const records::PhotographRecord& p,
+                                             const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const Result<std::string> path = checkedPath(p.path);
-    if (!path) throw Refused(path.error());
+    const Result<std::string> path = store::checkedPath(p.path);
+    if (!path) throw store::Refused(path.error());
     const std::string camera(1, p.camera), exif = p.exif_json.empty() ? "{}" : p.exif_json;
     std::int64_t row = p.row.value;
     if (row == 0) {
-      Statement same = database_->sql(
+      store::Statement same = database_->sql(
           "SELECT row FROM photograph WHERE batch = ? AND side = ? AND camera = ? AND stop = ? AND "
           "take = ?");
-      same.with(p.batch, wordOf(p.side), camera, p.stop, p.take);
+      same.with(p.batch, records::wordOf(p.side), camera, p.stop, p.take);
       if (same.next()) same >> row;
     }
     if (row == 0) {
@@ -216,11 +223,11 @@ Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Provenanc
               "INSERT INTO photograph (id, created_at, created_by, updated_at, updated_by, "
               "batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, used, "
               "reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.batch,
-                wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif, p.angle_deg,
+          .with(store::newId(now()), now(), provenance.person, now(), provenance.person, p.batch,
+                records::wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif, p.angle_deg,
                 p.sharpness, p.used, p.reason)
           .run();
-      return PhotographRow{database_->lastRow()};
+      return store::PhotographRow{database_->lastRow()};
     }
     if (rememberDifferences(*this, provenance, "photograph", row,
                             {{"path", *path},
@@ -238,23 +245,23 @@ Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Provenanc
           .with(*path, p.serial, exif, p.angle_deg, p.sharpness, p.used, p.reason, now(),
                 provenance.person, row)
           .run();
-    return PhotographRow{row};
+    return store::PhotographRow{row};
   });
 }
 
-Result<std::vector<PhotographRecord>> Catalogue::photographs(BatchRow batch) const {
+Result<std::vector<records::PhotographRecord>> Catalogue::photographs(store::BatchRow batch) const {
   return database_->door([&] {
-    std::vector<PhotographRecord> all;
-    Statement rows = database_->sql(
+    std::vector<records::PhotographRecord> all;
+    store::Statement rows = database_->sql(
         "SELECT row, batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, "
         "used, reason FROM photograph WHERE batch = ? ORDER BY side DESC, camera, stop, take");
     rows.with(batch);
     while (rows.next()) {
-      PhotographRecord p;
+      records::PhotographRecord p;
       std::string side, camera;
       rows >> p.row >> p.batch >> side >> camera >> p.stop >> p.take >> p.path >> p.serial >>
           p.exif_json >> p.angle_deg >> p.sharpness >> p.used >> p.reason;
-      p.side = fromWord<batch::Side>(side);
+      p.side = records::fromWord<batch::Side>(side);
       p.camera = camera.empty() ? 'A' : camera[0];
       all.push_back(std::move(p));
     }
@@ -262,15 +269,16 @@ Result<std::vector<PhotographRecord>> Catalogue::photographs(BatchRow batch) con
   });
 }
 
-Result<ScanRow> Catalogue::save(const ScanRecord& s, const Provenance& provenance) {
+Result<store::ScanRow> Catalogue::save(const records::ScanRecord& s,
+                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const Result<std::string> path = checkedPath(s.path);
-    if (!path) throw Refused(path.error());
+    const Result<std::string> path = store::checkedPath(s.path);
+    if (!path) throw store::Refused(path.error());
     std::int64_t row = s.row.value;
     if (row == 0) {
-      Statement same =
+      store::Statement same =
           database_->sql("SELECT row FROM scan WHERE batch = ? AND side = ? AND position = ?");
-      same.with(s.batch, wordOf(s.side), s.index);
+      same.with(s.batch, records::wordOf(s.side), s.index);
       if (same.next()) same >> row;
     }
     const std::string points = s.points ? std::to_string(*s.points) : std::string();
@@ -280,11 +288,11 @@ Result<ScanRow> Catalogue::save(const ScanRecord& s, const Provenance& provenanc
               "INSERT INTO scan (id, created_at, created_by, updated_at, updated_by, batch, "
               "side, position, name, path, points, coverage_pct, plate_x_mm, plate_y_mm) VALUES "
               "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(newId(now()), now(), provenance.person, now(), provenance.person, s.batch,
-                wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm,
-                s.plate_y_mm)
+          .with(store::newId(now()), now(), provenance.person, now(), provenance.person, s.batch,
+                records::wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct,
+                s.plate_x_mm, s.plate_y_mm)
           .run();
-      return ScanRow{database_->lastRow()};
+      return store::ScanRow{database_->lastRow()};
     }
     if (rememberDifferences(*this, provenance, "scan", row,
                             {{"name", s.name},
@@ -301,24 +309,24 @@ Result<ScanRow> Catalogue::save(const ScanRecord& s, const Provenance& provenanc
           .with(s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm, now(),
                 provenance.person, row)
           .run();
-    return ScanRow{row};
+    return store::ScanRow{row};
   });
 }
 
-Result<std::vector<ScanRecord>> Catalogue::scans(BatchRow batch) const {
+Result<std::vector<records::ScanRecord>> Catalogue::scans(store::BatchRow batch) const {
   return database_->door([&] {
-    std::vector<ScanRecord> all;
-    Statement rows = database_->sql(
+    std::vector<records::ScanRecord> all;
+    store::Statement rows = database_->sql(
         "SELECT row, batch, side, position, name, path, points, coverage_pct, plate_x_mm, "
         "plate_y_mm, state FROM scan WHERE batch = ? ORDER BY side DESC, position");
     rows.with(batch);
     while (rows.next()) {
-      ScanRecord s;
+      records::ScanRecord s;
       std::string side, state;
       rows >> s.row >> s.batch >> side >> s.index >> s.name >> s.path >> s.points >>
           s.coverage_pct >> s.plate_x_mm >> s.plate_y_mm >> state;
-      s.side = fromWord<batch::Side>(side);
-      s.state = fromWord<ScanState>(state);
+      s.side = records::fromWord<batch::Side>(side);
+      s.state = records::fromWord<records::ScanState>(state);
       all.push_back(std::move(s));
     }
     return all;

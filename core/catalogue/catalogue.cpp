@@ -26,29 +26,29 @@ bool isProjectCode(const std::string& code) {
   return true;
 }
 
-std::string firstText(Database& database, const char* sql) {
+std::string firstText(store::Database& database, const char* sql) {
   std::string text;
-  Statement rows = database.sql(sql);
+  store::Statement rows = database.sql(sql);
   if (rows.next()) rows >> text;
   return text;
 }
 
-int historyRows(Database& database) {
+int historyRows(store::Database& database) {
   return std::stoi(firstText(database, "SELECT count(*) FROM history"));
 }
 
 }  // namespace
 
-Catalogue::Catalogue(std::unique_ptr<Database> database, Clock clock)
+Catalogue::Catalogue(std::unique_ptr<store::Database> database, Clock clock)
     : database_(std::move(database)), clock_(std::move(clock)) {}
 Catalogue::Catalogue(Catalogue&&) noexcept = default;
 Catalogue& Catalogue::operator=(Catalogue&&) noexcept = default;
 Catalogue::~Catalogue() = default;
 
-Result<ProjectRecord> Catalogue::project() const {
+Result<records::ProjectRecord> Catalogue::project() const {
   return database_->door([&] {
-    ProjectRecord p;
-    Statement row = database_->sql(
+    records::ProjectRecord p;
+    store::Statement row = database_->sql(
         "SELECT id, code, title, institution, licence, rights_holder, numbering, word_for_context "
         "FROM project");
     if (row.next())
@@ -58,12 +58,13 @@ Result<ProjectRecord> Catalogue::project() const {
   });
 }
 
-Result<void> Catalogue::setProject(const ProjectRecord& p, const Provenance& provenance) {
+Result<void> Catalogue::setProject(const records::ProjectRecord& p,
+                                   const records::Provenance& provenance) {
   if (!isProjectCode(p.code))
     return Error{ErrorCode::UnusableInput,
                  "The project's code must be 2 to 8 capital letters or digits, for example ARM.",
                  p.code};
-  if (const Result<Numbering> scheme = Numbering::parse(p.numbering); !scheme)
+  if (const Result<records::Numbering> scheme = records::Numbering::parse(p.numbering); !scheme)
     return scheme.error();
   return database_->inTransaction([&] {
     const bool first = firstText(*database_, "SELECT id FROM project").empty();
@@ -73,10 +74,10 @@ Result<void> Catalogue::setProject(const ProjectRecord& p, const Provenance& pro
               "INSERT INTO project (row, id, created_at, created_by, updated_at, updated_by, "
               "code, title, institution, licence, rights_holder, numbering, word_for_context) "
               "VALUES (1, ?, ?, ?, ?, ?, ?, '', '', '', '', ?, '')")
-          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.code,
+          .with(store::newId(now()), now(), provenance.person, now(), provenance.person, p.code,
                 p.numbering)
           .run();
-      for (const StartingVocabulary& vocabulary : startingVocabularies())
+      for (const records::StartingVocabulary& vocabulary : records::startingVocabularies())
         for (std::size_t i = 0; i < vocabulary.terms.size(); ++i)
           database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
               .with(vocabulary.name, vocabulary.terms[i].term, static_cast<std::int64_t>(i),
@@ -105,7 +106,7 @@ Result<void> Catalogue::setProject(const ProjectRecord& p, const Provenance& pro
 Result<std::string> Catalogue::setting(const std::string& key) const {
   return database_->door([&] {
     std::string value;
-    Statement row = database_->sql("SELECT value FROM setting WHERE key = ?");
+    store::Statement row = database_->sql("SELECT value FROM setting WHERE key = ?");
     row.with(key);
     if (row.next()) row >> value;
     return value;
@@ -118,14 +119,14 @@ Result<void> Catalogue::setSetting(const std::string& key, const std::string& va
   });
 }
 
-Result<std::vector<Term>> Catalogue::vocabulary(const std::string& name) const {
+Result<std::vector<records::Term>> Catalogue::vocabulary(const std::string& name) const {
   return database_->door([&] {
-    std::vector<Term> terms;
-    Statement rows =
+    std::vector<records::Term> terms;
+    store::Statement rows =
         database_->sql("SELECT term, labels, uri FROM vocabulary WHERE name = ? ORDER BY position");
     rows.with(name);
     while (rows.next()) {
-      Term term;
+      records::Term term;
       std::string labels;
       rows >> term.term >> labels >> term.uri;
       const nlohmann::json json = jsonOrDiscarded(labels);
@@ -137,12 +138,13 @@ Result<std::vector<Term>> Catalogue::vocabulary(const std::string& name) const {
   });
 }
 
-Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector<Term>& terms,
-                                      const Provenance& provenance) {
+Result<void> Catalogue::setVocabulary(const std::string& name,
+                                      const std::vector<records::Term>& terms,
+                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     std::vector<std::string> older, newer;
     {
-      Statement rows =
+      store::Statement rows =
           database_->sql("SELECT term FROM vocabulary WHERE name = ? ORDER BY position");
       rows.with(name);
       for (std::string term; rows.next();) {
@@ -151,25 +153,25 @@ Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector
       }
     }
     std::set<std::string> seen;
-    for (const Term& term : terms) {
-      if (trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
-        refuse("A vocabulary term must contain letters and no ';'.", name);
+    for (const records::Term& term : terms) {
+      if (store::trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
+        store::refuse("A vocabulary term must contain letters and no ';'.", name);
       if (!seen.insert(term.term).second)
-        refuse("The term '" + term.term + "' appears twice in the vocabulary.", name);
+        store::refuse("The term '" + term.term + "' appears twice in the vocabulary.", name);
       newer.push_back(term.term);
     }
     for (const std::string& term : older) {
       if (seen.contains(term)) continue;
-      Statement used = database_->sql(
+      store::Statement used = database_->sql(
           "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' AND "
           "field IN ('surface_out', 'surface_in')))");
       used.with(term, name);
       std::int64_t count = 0;
       if (used.next()) used >> count;
       if (count > 0)
-        refuse("Sherds with the term '" + term + "': " + std::to_string(count) +
-                   "; change those first.",
-               name);
+        store::refuse("Sherds with the term '" + term + "': " + std::to_string(count) +
+                          "; change those first.",
+                      name);
     }
     database_->sql("DELETE FROM vocabulary WHERE name = ?").with(name).run();
     for (std::size_t i = 0; i < terms.size(); ++i)
@@ -177,7 +179,8 @@ Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector
           .with(name, terms[i].term, static_cast<std::int64_t>(i),
                 nlohmann::json(terms[i].labels).dump(), terms[i].uri)
           .run();
-    remember(*this, provenance, "vocabulary", 0, name, joinTerms(older), joinTerms(newer));
+    remember(*this, provenance, "vocabulary", 0, name, store::joinTerms(older),
+             store::joinTerms(newer));
   });
 }
 
@@ -199,7 +202,7 @@ Result<void> Catalogue::checkIntegrity() const {
     return {};
   });
   if (!found) return found.error();
-  if (!found->empty()) return damagedCatalogue(*found, database_->file());
+  if (!found->empty()) return store::damagedCatalogue(*found, database_->file());
   // FTS5 compares its index with its texts in the form of an insertion.
   if (readOnly()) return {};
   return database_->door([&] {
@@ -208,7 +211,7 @@ Result<void> Catalogue::checkIntegrity() const {
 }
 
 Result<void> Catalogue::backup(const fs::path& file) const {
-  Result<PartialFile> copy = PartialFile::beside(file);
+  Result<store::PartialFile> copy = store::PartialFile::beside(file);
   if (!copy) return copy.error();
   const Result<int> written = database_->door([&] {
     const int rows = historyRows(*database_);
@@ -217,8 +220,8 @@ Result<void> Catalogue::backup(const fs::path& file) const {
   });
   if (!written) return written.error();
   {
-    Result<std::unique_ptr<Database>> opened =
-        Database::open(copy->path(), Database::Mode::ReadOnly);
+    Result<std::unique_ptr<store::Database>> opened =
+        store::Database::open(copy->path(), store::Database::Mode::ReadOnly);
     if (!opened) return opened.error();
     const Catalogue read_back(std::move(*opened), clock_);
     if (const Result<void> good = read_back.checkIntegrity(); !good) return good;
@@ -229,7 +232,7 @@ Result<void> Catalogue::backup(const fs::path& file) const {
       return Error{ErrorCode::CannotWrite, "The backup does not contain the saved data; try again.",
                    file.string()};
   }
-  return copy->become(file, PartialFile::Existing::Replaced);
+  return copy->become(file, store::PartialFile::Existing::Replaced);
 }
 
 bool Catalogue::readOnly() const {
@@ -237,18 +240,18 @@ bool Catalogue::readOnly() const {
 }
 
 int Catalogue::schemaVersion() const {
-  return catalogue::schemaVersion(*database_);
+  return store::schemaVersion(*database_);
 }
 
 Result<void> Catalogue::together(const std::function<Result<void>()>& work) {
   return database_->inTransaction([&] {
-    if (const Result<void> done = work(); !done) throw Refused(done.error());
+    if (const Result<void> done = work(); !done) throw store::Refused(done.error());
   });
 }
 
 Result<void> Catalogue::inSnapshot(const std::function<Result<void>()>& work) const {
   return database_->inSnapshot([&] {
-    if (const Result<void> done = work(); !done) throw Refused(done.error());
+    if (const Result<void> done = work(); !done) throw store::Refused(done.error());
   });
 }
 

@@ -11,9 +11,12 @@
 #include "records/records.h"
 #include "records/sherd.h"
 
+namespace ostraka::store {
+class Database;
+}  // namespace ostraka::store
+
 namespace ostraka::catalogue {
 
-class Database;
 struct Filter;
 
 /// One connection to a project's catalogue.sqlite. Use it in one thread; another thread opens its
@@ -28,91 +31,106 @@ class Catalogue {
   ~Catalogue();
 
   // the project
-  Result<ProjectRecord> project() const;
-  Result<void> setProject(const ProjectRecord&, const Provenance&);
+  Result<records::ProjectRecord> project() const;
+  Result<void> setProject(const records::ProjectRecord&, const records::Provenance&);
   Result<std::string> setting(const std::string& key) const;  ///< empty when never set
   Result<void> setSetting(const std::string& key, const std::string& value);
-  Result<std::vector<Term>> vocabulary(const std::string& name) const;
-  Result<void> setVocabulary(const std::string& name, const std::vector<Term>&, const Provenance&);
+  Result<std::vector<records::Term>> vocabulary(const std::string& name) const;
+  Result<void> setVocabulary(const std::string& name, const std::vector<records::Term>&,
+                             const records::Provenance&);
 
   // people and places; save: row none adds, else changes; the row is returned
-  Result<std::vector<PersonRecord>> persons() const;
-  Result<PersonRow> save(const PersonRecord&, const Provenance&);
+  Result<std::vector<records::PersonRecord>> persons() const;
+  Result<store::PersonRow> save(const records::PersonRecord&, const records::Provenance&);
   /// Made when nobody has them. Capitals make no difference.
-  Result<PersonRow> personByInitials(const std::string& initials, const Provenance&);
-  Result<std::vector<SiteRecord>> sites() const;
-  Result<SiteRow> save(const SiteRecord&, const Provenance&);
-  Result<std::vector<TrenchRecord>> trenches() const;
-  Result<TrenchRow> save(const TrenchRecord&, const Provenance&);
-  Result<std::vector<ContextRecord>> contexts() const;
-  Result<ContextRow> save(const ContextRecord&, const Provenance&);
-  Result<ContextRecord> context(ContextRow) const;
+  Result<store::PersonRow> personByInitials(const std::string& initials,
+                                            const records::Provenance&);
+  Result<std::vector<records::SiteRecord>> sites() const;
+  Result<store::SiteRow> save(const records::SiteRecord&, const records::Provenance&);
+  Result<std::vector<records::TrenchRecord>> trenches() const;
+  Result<store::TrenchRow> save(const records::TrenchRecord&, const records::Provenance&);
+  Result<std::vector<records::ContextRecord>> contexts() const;
+  Result<store::ContextRow> save(const records::ContextRecord&, const records::Provenance&);
+  Result<records::ContextRecord> context(store::ContextRow) const;
   /// None when there is no such place. Capitals make no difference; an empty trench is none.
-  Result<ContextRow> contextByPlace(const std::string& site, const std::string& trench,
-                                    const std::string& number) const;
-  Result<std::vector<BagRecord>> bags(ContextRow) const;
-  Result<std::vector<BagRecord>> bags() const;
-  Result<BagRow> save(const BagRecord&, const Provenance&);
+  Result<store::ContextRow> contextByPlace(const std::string& site, const std::string& trench,
+                                           const std::string& number) const;
+  Result<std::vector<records::BagRecord>> bags(store::ContextRow) const;
+  Result<std::vector<records::BagRecord>> bags() const;
+  Result<store::BagRow> save(const records::BagRecord&, const records::Provenance&);
 
   // batches; a new one gets the next number (B0031) in the saving transaction
   Result<std::string> nextBatchNumber() const;
-  Result<BatchRow> addBatch(const BatchRecord&, const Provenance&);
-  Result<void> saveBatch(const BatchRecord&, const Provenance&);
-  Result<void> setBatchState(BatchRow, BatchState, const Provenance&);
-  Result<std::vector<BatchRecord>> batches() const;  ///< newest first
-  Result<BatchRecord> batch(BatchRow) const;
-  Result<BatchRecord> batchByNumber(const std::string&) const;
+  Result<store::BatchRow> addBatch(const records::BatchRecord&, const records::Provenance&);
+  Result<void> saveBatch(const records::BatchRecord&, const records::Provenance&);
+  Result<void> setBatchState(store::BatchRow, records::BatchState, const records::Provenance&);
+  Result<std::vector<records::BatchRecord>> batches() const;  ///< newest first
+  Result<records::BatchRecord> batch(store::BatchRow) const;
+  Result<records::BatchRecord> batchByNumber(const std::string&) const;
   /// None when it is not there.
-  Result<std::optional<BatchRecord>> batchById(const std::string& id) const;
-  Result<PhotographRow> save(const PhotographRecord&, const Provenance&);  ///< row none: by its key
-  Result<std::vector<PhotographRecord>> photographs(BatchRow) const;
-  Result<ScanRow> save(const ScanRecord&, const Provenance&);  ///< row none: by batch, side, index
-  Result<std::vector<ScanRecord>> scans(BatchRow) const;
+  Result<std::optional<records::BatchRecord>> batchById(const std::string& id) const;
+  Result<store::PhotographRow> save(const records::PhotographRecord&,
+                                    const records::Provenance&);  ///< row none: by its key
+  Result<std::vector<records::PhotographRecord>> photographs(store::BatchRow) const;
+  Result<store::ScanRow> save(const records::ScanRecord&,
+                              const records::Provenance&);  ///< row none: by batch, side, index
+  Result<std::vector<records::ScanRecord>> scans(store::BatchRow) const;
 
   // pair decisions: only added. decide() also lets the sherds of the batch follow.
-  Result<DecisionRow> decide(const PairDecision&, const Provenance&);
-  Result<std::vector<PairDecision>> decisions(BatchRow) const;  ///< all, oldest first
+  Result<store::DecisionRow> decide(const records::PairDecision&, const records::Provenance&);
+  Result<std::vector<records::PairDecision>> decisions(
+      store::BatchRow) const;  ///< all, oldest first
   /// What counts now, one per pair or lone scan: persons before the program, later before earlier.
-  Result<std::vector<PairDecision>> currentDecisions(BatchRow) const;
+  Result<std::vector<records::PairDecision>> currentDecisions(store::BatchRow) const;
 
   // sherds
-  Result<std::vector<SherdRow>> sherdRows(const Filter&, const SherdOrder&) const;
-  Result<std::vector<SherdRow>> sherdRows(BatchRow) const;
-  Result<std::vector<SherdRecord>> sherds(std::span<const SherdRow>) const;  ///< in this order
-  Result<SherdRecord> sherd(SherdRow) const;
-  Result<SherdRow> sherdByNumber(const std::string&) const;   ///< none when there is no such sherd
-  Result<SherdRow> sherdById(const std::string& uuid) const;  ///< likewise
-  Result<SherdRow> addSherd(const SherdRecord&, const Provenance&);  ///< draft, or with its number
-  Result<std::vector<ChangePreview>> preview(std::span<const FieldChange>) const;
+  Result<std::vector<store::SherdRow>> sherdRows(const Filter&, const records::SherdOrder&) const;
+  Result<std::vector<store::SherdRow>> sherdRows(store::BatchRow) const;
+  Result<std::vector<records::SherdRecord>> sherds(
+      std::span<const store::SherdRow>) const;  ///< in this order
+  Result<records::SherdRecord> sherd(store::SherdRow) const;
+  Result<store::SherdRow> sherdByNumber(
+      const std::string&) const;  ///< none when there is no such sherd
+  Result<store::SherdRow> sherdById(const std::string& uuid) const;  ///< likewise
+  Result<store::SherdRow> addSherd(const records::SherdRecord&,
+                                   const records::Provenance&);  ///< draft, or with its number
+  Result<std::vector<records::ChangePreview>> preview(std::span<const records::FieldChange>) const;
   /// All or nothing. Returns the changes that undo it, in the order to apply them. Errors: what the
   /// preview refuses, what it asks and nobody confirmed.
-  Result<std::vector<FieldChange>> change(std::span<const FieldChange>, const Provenance&);
+  Result<std::vector<records::FieldChange>> change(std::span<const records::FieldChange>,
+                                                   const records::Provenance&);
   /// The next free numbers of a context (and bag, batch) by the project's scheme; not reserved.
-  Result<std::vector<std::string>> proposeNumbers(std::span<const SherdRow>) const;
+  Result<std::vector<std::string>> proposeNumbers(std::span<const store::SherdRow>) const;
   /// Gives drafts their numbers. Returns them in the order of the rows.
-  Result<std::vector<std::string>> assignNumbers(std::span<const SherdRow>, const Provenance&);
+  Result<std::vector<std::string>> assignNumbers(std::span<const store::SherdRow>,
+                                                 const records::Provenance&);
   /// Which model and picture show it; relative paths.
-  Result<void> setModel(SherdRow, const std::string& model_path, const std::string& preview_path);
-  Result<void> voidSherd(SherdRow, const std::string& reason,
-                         const Provenance&);              ///< number stays taken
-  Result<std::vector<int>> numberGaps(ContextRow) const;  ///< numbers never given below the highest
+  Result<void> setModel(store::SherdRow, const std::string& model_path,
+                        const std::string& preview_path);
+  Result<void> voidSherd(store::SherdRow, const std::string& reason,
+                         const records::Provenance&);  ///< number stays taken
+  Result<std::vector<int>> numberGaps(
+      store::ContextRow) const;  ///< numbers never given below the highest
 
   // measurements: a new value is a new row that replaces the older one
-  Result<void> measure(const Measurement&, const Provenance&);
-  Result<std::vector<Measurement>> measurements(SherdRow) const;  ///< those that count now
+  Result<void> measure(const records::Measurement&, const records::Provenance&);
+  Result<std::vector<records::Measurement>> measurements(
+      store::SherdRow) const;  ///< those that count now
   /// Those of them that persons took, by sherd.
-  Result<std::vector<Measurement>> measuredByHand(std::span<const SherdRow>) const;
+  Result<std::vector<records::Measurement>> measuredByHand(std::span<const store::SherdRow>) const;
   /// All values of a kind that the program has taken from the sherd's models, old ones too.
-  Result<std::vector<double>> everComputed(SherdRow, const std::string& kind) const;
+  Result<std::vector<double>> everComputed(store::SherdRow, const std::string& kind) const;
 
   // files and history
-  Result<FileRow> save(const FileRecord&, const Provenance&);  ///< row none: by its path
-  Result<std::vector<FileRecord>> files(SherdRow) const;
-  Result<std::vector<FileRecord>> files(BatchRow) const;
-  Result<std::vector<FileRecord>> files() const;
+  Result<store::FileRow> save(const records::FileRecord&,
+                              const records::Provenance&);  ///< row none: by its path
+  Result<std::vector<records::FileRecord>> files(store::SherdRow) const;
+  Result<std::vector<records::FileRecord>> files(store::BatchRow) const;
+  Result<std::vector<records::FileRecord>> files() const;
   /// Newest first; its scans and batches by name, B0001 b004.
-  Result<std::vector<HistoryEntry>> history(SherdRow) const;
-  Result<std::vector<HistoryEntry>> history(const std::string& table, std::int64_t row) const;
+  Result<std::vector<records::HistoryEntry>> history(store::SherdRow) const;
+  Result<std::vector<records::HistoryEntry>> history(const std::string& table,
+                                                     std::int64_t row) const;
 
   std::int64_t historyLength() const;  ///< rows of the history: grows with every change
 
@@ -129,12 +147,12 @@ class Catalogue {
   Result<void> inSnapshot(const std::function<Result<void>()>& work) const;
 
   /// For the other files of this folder.
-  Database& database() const { return *database_; }
+  store::Database& database() const { return *database_; }
   std::int64_t now() const { return clock_(); }
-  explicit Catalogue(std::unique_ptr<Database>, Clock);
+  explicit Catalogue(std::unique_ptr<store::Database>, Clock);
 
  private:
-  std::unique_ptr<Database> database_;
+  std::unique_ptr<store::Database> database_;
   Clock clock_;
 };
 

@@ -15,23 +15,23 @@ constexpr const char* kFiles =
 constexpr const char* kHistory =
     "SELECT at, person, table_name, field, old, new, why, source, row FROM history ";
 
-std::vector<FileRecord> readFiles(Statement& rows) {
-  std::vector<FileRecord> all;
+std::vector<records::FileRecord> readFiles(store::Statement& rows) {
+  std::vector<records::FileRecord> all;
   while (rows.next()) {
-    FileRecord f;
+    records::FileRecord f;
     std::string state;
     rows >> f.row >> f.id >> f.path >> f.sha256 >> f.media_type >> f.role >> f.bytes >> state >>
         f.sherd >> f.batch;
-    f.state = fromWord<FileState>(state);
+    f.state = records::fromWord<records::FileState>(state);
     all.push_back(std::move(f));
   }
   return all;
 }
 
-std::vector<HistoryEntry> readHistory(Statement& rows) {
-  std::vector<HistoryEntry> all;
+std::vector<records::HistoryEntry> readHistory(store::Statement& rows) {
+  std::vector<records::HistoryEntry> all;
   while (rows.next()) {
-    HistoryEntry h;
+    records::HistoryEntry h;
     rows >> h.at_ms >> h.by >> h.table >> h.field >> h.old_value >> h.new_value >> h.why >>
         h.source >> h.row;
     all.push_back(std::move(h));
@@ -41,10 +41,10 @@ std::vector<HistoryEntry> readHistory(Statement& rows) {
 
 // The history keeps scans and batches of a sherd by their rows, which tell a person nothing: b004
 // of B0001 is "B0001 b004".
-std::string rowAsNamed(Database& database, const std::string& field, std::string value) {
+std::string rowAsNamed(store::Database& database, const std::string& field, std::string value) {
   const bool batch = field == "batch";
   if (value.empty() || (!batch && field != "front" && field != "back")) return value;
-  Statement name = database.sql(
+  store::Statement name = database.sql(
       batch ? "SELECT number FROM batch WHERE row = CAST(? AS INTEGER)"
             : "SELECT b.number || ' ' || s.name FROM scan s JOIN batch b ON b.row = s.batch WHERE "
               "s.row = CAST(? AS INTEGER)");
@@ -54,7 +54,7 @@ std::string rowAsNamed(Database& database, const std::string& field, std::string
 
 }  // namespace
 
-void remember(const Catalogue& catalogue, const Provenance& provenance, const char* table,
+void remember(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
               std::int64_t row, const std::string& field, const std::string& old_value,
               const std::string& new_value) {
   if (old_value == new_value) return;
@@ -67,7 +67,7 @@ void remember(const Catalogue& catalogue, const Provenance& provenance, const ch
       .run();
 }
 
-bool rememberDifferences(const Catalogue& catalogue, const Provenance& provenance,
+bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& provenance,
                          const char* table, std::int64_t row,
                          const std::vector<SavedField>& fields) {
   std::string columns;
@@ -78,10 +78,10 @@ bool rememberDifferences(const Catalogue& catalogue, const Provenance& provenanc
   // Numbers are read with all their digits, so that only a real difference counts.
   std::vector<std::string> old_values(fields.size());
   {
-    Statement rows =
+    store::Statement rows =
         catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?");
     if (!rows.with(row).next())
-      refuse("This " + std::string(table) + " is no longer in the catalogue.");
+      store::refuse("This " + std::string(table) + " is no longer in the catalogue.");
     for (std::string& value : old_values) rows.readText(value);
   }
   bool any = false;
@@ -93,13 +93,14 @@ bool rememberDifferences(const Catalogue& catalogue, const Provenance& provenanc
   return any;
 }
 
-Result<FileRow> Catalogue::save(const FileRecord& f, const Provenance& provenance) {
+Result<store::FileRow> Catalogue::save(const records::FileRecord& f,
+                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const Result<std::string> path = checkedPath(f.path);
-    if (!path) throw Refused(path.error());
+    const Result<std::string> path = store::checkedPath(f.path);
+    if (!path) throw store::Refused(path.error());
     std::int64_t row = f.row.value;
     if (row == 0) {
-      Statement same = database_->sql("SELECT row FROM file WHERE path = ?");
+      store::Statement same = database_->sql("SELECT row FROM file WHERE path = ?");
       if (same.with(*path).next()) same >> row;
     }
     if (row == 0) {
@@ -108,11 +109,11 @@ Result<FileRow> Catalogue::save(const FileRecord& f, const Provenance& provenanc
               "INSERT INTO file (id, created_at, created_by, updated_at, updated_by, path, "
               "sha256, bytes, media_type, role, state, sherd, batch) VALUES (?, ?, ?, ?, ?, ?, "
               "?, ?, ?, ?, ?, ?, ?)")
-          .with(f.id.empty() ? newId(now()) : f.id, now(), provenance.person, now(),
-                provenance.person, *path, f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state),
-                f.sherd, f.batch)
+          .with(f.id.empty() ? store::newId(now()) : f.id, now(), provenance.person, now(),
+                provenance.person, *path, f.sha256, f.bytes, f.media_type, f.role,
+                records::wordOf(f.state), f.sherd, f.batch)
           .run();
-      return FileRow{database_->lastRow()};
+      return store::FileRow{database_->lastRow()};
     }
     if (rememberDifferences(*this, provenance, "file", row,
                             {{"path", *path},
@@ -120,7 +121,7 @@ Result<FileRow> Catalogue::save(const FileRecord& f, const Provenance& provenanc
                              {"bytes", std::to_string(f.bytes)},
                              {"media_type", f.media_type},
                              {"role", f.role},
-                             {"state", wordOf(f.state)},
+                             {"state", records::wordOf(f.state)},
                              {"sherd", rowText(f.sherd.value)},
                              {"batch", rowText(f.batch.value)}}))
       database_
@@ -128,32 +129,32 @@ Result<FileRow> Catalogue::save(const FileRecord& f, const Provenance& provenanc
               "UPDATE file SET path = ?, sha256 = ?, bytes = ?, media_type = ?, role = ?, state "
               "= ?, sherd = ?, batch = ?, updated_at = ?, updated_by = ?, revision = revision + "
               "1 WHERE row = ?")
-          .with(*path, f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state), f.sherd, f.batch,
-                now(), provenance.person, row)
+          .with(*path, f.sha256, f.bytes, f.media_type, f.role, records::wordOf(f.state), f.sherd,
+                f.batch, now(), provenance.person, row)
           .run();
-    return FileRow{row};
+    return store::FileRow{row};
   });
 }
 
-Result<std::vector<FileRecord>> Catalogue::files(SherdRow sherd) const {
+Result<std::vector<records::FileRecord>> Catalogue::files(store::SherdRow sherd) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kFiles) + "WHERE sherd = ? ORDER BY path");
+    store::Statement rows = database_->sql(std::string(kFiles) + "WHERE sherd = ? ORDER BY path");
     rows.with(sherd);
     return readFiles(rows);
   });
 }
 
-Result<std::vector<FileRecord>> Catalogue::files(BatchRow batch) const {
+Result<std::vector<records::FileRecord>> Catalogue::files(store::BatchRow batch) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kFiles) + "WHERE batch = ? ORDER BY path");
+    store::Statement rows = database_->sql(std::string(kFiles) + "WHERE batch = ? ORDER BY path");
     rows.with(batch);
     return readFiles(rows);
   });
 }
 
-Result<std::vector<FileRecord>> Catalogue::files() const {
+Result<std::vector<records::FileRecord>> Catalogue::files() const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kFiles) + "ORDER BY path");
+    store::Statement rows = database_->sql(std::string(kFiles) + "ORDER BY path");
     return readFiles(rows);
   });
 }
@@ -161,28 +162,28 @@ Result<std::vector<FileRecord>> Catalogue::files() const {
 std::int64_t Catalogue::historyLength() const {
   const Result<std::int64_t> length = database_->door([&] {
     std::int64_t rows = 0;
-    Statement last = database_->sql("SELECT ifnull(max(number), 0) FROM history");
+    store::Statement last = database_->sql("SELECT ifnull(max(number), 0) FROM history");
     if (last.next()) last >> rows;
     return rows;
   });
   return length ? *length : 0;
 }
 
-Result<std::vector<HistoryEntry>> Catalogue::history(SherdRow sherd) const {
+Result<std::vector<records::HistoryEntry>> Catalogue::history(store::SherdRow sherd) const {
   return database_->door([&] {
-    std::vector<HistoryEntry> all = valueOrThrow(history("sherd", sherd.value));
-    for (HistoryEntry& entry : all)
+    std::vector<records::HistoryEntry> all = valueOrThrow(history("sherd", sherd.value));
+    for (records::HistoryEntry& entry : all)
       for (std::string* value : {&entry.old_value, &entry.new_value})
         *value = rowAsNamed(*database_, entry.field, std::move(*value));
     return all;
   });
 }
 
-Result<std::vector<HistoryEntry>> Catalogue::history(const std::string& table,
-                                                     std::int64_t row) const {
+Result<std::vector<records::HistoryEntry>> Catalogue::history(const std::string& table,
+                                                              std::int64_t row) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kHistory) +
-                                    "WHERE table_name = ? AND row = ? ORDER BY number DESC");
+    store::Statement rows = database_->sql(std::string(kHistory) +
+                                           "WHERE table_name = ? AND row = ? ORDER BY number DESC");
     rows.with(table, row);
     return readHistory(rows);
   });

@@ -90,13 +90,13 @@ Result<Condition> conditionOf(Piece piece) {
   }
   const bool named = piece.operator_at != std::string::npos && piece.operator_at > 0;
   if (!named) {
-    condition.value = composed(piece.plain);
+    condition.value = store::composed(piece.plain);
     return condition;
   }
-  const std::string name = uniqueKey(piece.plain.substr(0, piece.operator_at));
+  const std::string name = store::uniqueKey(piece.plain.substr(0, piece.operator_at));
   std::string_view rest = std::string_view(piece.plain).substr(piece.operator_at);
   condition.is = comparison(rest);
-  condition.value = composed(trimmed(rest));
+  condition.value = store::composed(store::trimmed(rest));
   if (name == kLabelEnd) {
     Result<Condition> label = conditionOfLabel(condition.value);
     if (label) label->negated = condition.negated;
@@ -118,7 +118,7 @@ Result<Condition> conditionOf(Piece piece) {
   else if (condition.is == Condition::Is::Equal && condition.value.empty())
     condition.is = Condition::Is::Empty;
   else if (column->measure) {
-    if (const Result<double> number = parsedNumber(condition.value); !number)
+    if (const Result<double> number = store::parsedNumber(condition.value); !number)
       return Error{ErrorCode::UnusableInput, number.error().what, piece.text};
   }
   return condition;
@@ -136,10 +136,11 @@ std::string Filter::text() const {
 }
 
 Result<Filter> parseFilter(std::string_view line) {
-  if (line.size() > 10'000 || !isUtf8(line))
+  if (line.size() > 10'000 || !store::isUtf8(line))
     return Error{ErrorCode::UnusableInput, "The filter is not valid text.", {}};
-  if (beginsAsSherdLabel(trimmed(line)) && readLabelCode(line)) {  // its number may hold blanks
-    Result<Condition> label = conditionOfLabel(trimmed(line));
+  if (beginsAsSherdLabel(store::trimmed(line)) &&
+      readLabelCode(line)) {  // its number may hold blanks
+    Result<Condition> label = conditionOfLabel(store::trimmed(line));
     if (!label) return label.error();
     return Filter{{std::move(*label)}};
   }

@@ -14,7 +14,7 @@ namespace ostraka::catalogue {
 namespace {
 
 struct Query {
-  Database& database;
+  store::Database& database;
   std::string where;
   std::vector<std::string> texts;
   std::string mark(std::string value) {
@@ -39,16 +39,16 @@ std::string inContext(const std::string& condition) {
 // The terms that are meant, as they are spelled in the vocabularies and so at the sherds: capitals
 // make no difference, and a label in another language will do.
 std::vector<std::string> termsCalled(Query& query, const std::string& word) {
-  const std::string key = uniqueKey(searched(word));
+  const std::string key = store::uniqueKey(searched(word));
   std::vector<std::string> terms;
-  Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
+  store::Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
   while (rows.next()) {
     std::string term, labels;
     rows >> term >> labels;
-    bool meant = uniqueKey(searched(term)) == key;
+    bool meant = store::uniqueKey(searched(term)) == key;
     const nlohmann::json names = jsonOrDiscarded(labels);
     for (const nlohmann::json& name : names)
-      meant |= name.is_string() && uniqueKey(searched(name.get<std::string>())) == key;
+      meant |= name.is_string() && store::uniqueKey(searched(name.get<std::string>())) == key;
     if (meant) terms.push_back(term);
   }
   return terms;
@@ -71,13 +71,14 @@ std::string wordSql(Query& query, const std::string& word) {
         "SELECT rowid FROM sherd_text WHERE sherd_text MATCH " + query.mark(quoted + "\"");
     // The text holds terms as they are stored, and the window shows their labels.
     const std::vector<std::string> terms = termsCalled(query, word);
-    if (std::any_of(terms.begin(), terms.end(),
-                    [&](const std::string& term) { return uniqueKey(term) != uniqueKey(word); }))
+    if (std::any_of(terms.begin(), terms.end(), [&](const std::string& term) {
+          return store::uniqueKey(term) != store::uniqueKey(word);
+        }))
       found += " UNION SELECT sherd FROM sherd_term WHERE " + isTerm(query, word);
     return "s.row IN (" + found + ")";
   }
   // Below three letters the search has no index: whole terms and whole places then.
-  const std::string key = query.mark(uniqueKey(word));
+  const std::string key = query.mark(store::uniqueKey(word));
   return "(s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, word) + ") OR " +
          inContext("site.code_key = " + key + " OR trench.code_key = " + key +
                    " OR context.number_key = " + key) +
@@ -104,7 +105,7 @@ std::string emptySql(const SherdColumn& column) {
 
 std::string equalSql(Query& query, const SherdColumn& column, const std::string& value) {
   const std::string name = column.field.name;
-  const std::string key = uniqueKey(value);
+  const std::string key = store::uniqueKey(value);
   if (name == "site") return inContext("site.code_key = " + query.mark(key));
   if (name == "trench") return inContext("trench.code_key = " + query.mark(key));
   if (name == "context") return inContext("context.number_key = " + query.mark(key));
@@ -114,12 +115,13 @@ std::string equalSql(Query& query, const SherdColumn& column, const std::string&
     return "s.batch IN (SELECT row FROM batch WHERE number = " + query.mark(value) +
            " COLLATE NOCASE)";
   if (name == "scale") return key == kDoubtfulScale ? kDoubtfulSql : "0";
-  if (name == "number") return "s.number_sort = " + query.mark(sortKey(value));
+  if (name == "number") return "s.number_sort = " + query.mark(store::sortKey(value));
   if (name == "joins")
     return "s.row IN (SELECT sherd FROM sherd_join WHERE other IN (SELECT sherd FROM given_number "
            "WHERE number_key = " +
            query.mark(key) + "))";
-  if (column.field.kind == FieldKind::Terms || column.field.kind == FieldKind::Term) {
+  if (column.field.kind == records::FieldKind::Terms ||
+      column.field.kind == records::FieldKind::Term) {
     return "s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, value) +
            " AND field = " + query.mark(name) + ")";
   }
@@ -145,11 +147,12 @@ std::string conditionSql(Query& query, const Condition& condition) {
   using Is = Condition::Is;
   if (condition.is == Is::Word) return wordSql(query, condition.value);
   const SherdColumn* column = sherdColumn(condition.field);
-  if (!column) refuse("There is no field '" + condition.field + "'.", condition.text);
+  if (!column) store::refuse("There is no field '" + condition.field + "'.", condition.text);
   if (condition.is == Is::Empty) return emptySql(*column);
   if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
   if (column->measure) {
-    const std::string value = query.mark(numberText(valueOrThrow(parsedNumber(condition.value))));
+    const std::string value =
+        query.mark(store::numberText(valueOrThrow(store::parsedNumber(condition.value))));
     return "m." + std::string(column->measure) + signOf(condition.is) + "CAST(" + value +
            " AS REAL)";
   }
@@ -158,8 +161,8 @@ std::string conditionSql(Query& query, const Condition& condition) {
 
 }  // namespace
 
-Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
-                                                   const SherdOrder& order) const {
+Result<std::vector<store::SherdRow>> Catalogue::sherdRows(const Filter& filter,
+                                                          const records::SherdOrder& order) const {
   return database_->door([&] {
     Query query{*database_, {}, {}};
     query.where = "NOT (s.state = 'void' AND s.number = '')";
@@ -169,13 +172,13 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
     }
     // Drafts share one sort key, so their rows run up whichever way the numbers go.
     const char* way = order.field == "number" && order.descending ? " DESC" : "";
-    Statement statement = database_->sql(
+    store::Statement statement = database_->sql(
         "SELECT s.row FROM sherd s LEFT JOIN sherd_measure m ON m.sherd = s.row WHERE " +
         query.where + " ORDER BY s.number_sort" + way + ", s.row");
     for (const std::string& text : query.texts) statement.with(text);
-    std::vector<SherdRow> rows;
+    std::vector<store::SherdRow> rows;
     while (statement.next()) {
-      SherdRow row;
+      store::SherdRow row;
       statement >> row;
       rows.push_back(row);
     }

@@ -7,7 +7,7 @@
 namespace ostraka::catalogue {
 
 /// For the files of this folder: one row of the history. Nothing is written when old == new.
-void remember(const Catalogue& catalogue, const Provenance& provenance, const char* table,
+void remember(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
               std::int64_t row, const std::string& field, const std::string& old_value,
               const std::string& new_value);
 
@@ -17,7 +17,7 @@ struct SavedField {
   std::string value;
 };
 /// Compares with what the row holds and remembers each difference; returns whether there is one.
-bool rememberDifferences(const Catalogue& catalogue, const Provenance& provenance,
+bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& provenance,
                          const char* table, std::int64_t row,
                          const std::vector<SavedField>& fields);
 

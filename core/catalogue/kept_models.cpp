@@ -82,7 +82,7 @@ Result<void> dropUnusedModels(Catalogue& catalogue, const fs::path& project,
     unused.insert((folderOf(batch) / entry.path().filename()).generic_string());
   if (unused.empty()) return {};
   const Result<void> dropped = catalogue.database().inTransaction([&] {
-    Statement shown = catalogue.database().sql(
+    store::Statement shown = catalogue.database().sql(
         "SELECT model_path, preview_path FROM sherd WHERE model_path LIKE ?");
     shown.with(folderOf(batch).generic_string() + "/%");
     while (shown.next()) {
@@ -102,11 +102,12 @@ Result<void> dropUnusedModels(Catalogue& catalogue, const fs::path& project,
   return {};
 }
 
-void forgetModel(Catalogue& catalogue, SherdRow sherd, const Provenance& provenance) {
-  Database& database = catalogue.database();
+void forgetModel(Catalogue& catalogue, store::SherdRow sherd,
+                 const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
   std::vector<std::string> kinds;
   {
-    Statement rows = database.sql(
+    store::Statement rows = database.sql(
         "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL AND "
         "method = 'program'");
     rows.with(sherd);

@@ -5,10 +5,13 @@
 #include "base/result.h"
 #include "records/records.h"
 
+namespace ostraka::records {
+struct Provenance;
+}  // namespace ostraka::records
+
 namespace ostraka::catalogue {
 
 class Catalogue;
-struct Provenance;
 
 /// What the catalogue shows of a sherd must stay what was entered while its batch is computed
 /// again, or stops half-way: model.ply, model.glb and preview.png of `from` get a folder of the
@@ -25,6 +28,7 @@ Result<void> dropUnusedModels(Catalogue& catalogue, const std::filesystem::path&
 
 /// What was made from another pair says nothing about a sherd any more: its model, the program's
 /// measures. Within a transaction.
-void forgetModel(Catalogue& catalogue, SherdRow sherd, const Provenance& provenance);
+void forgetModel(Catalogue& catalogue, store::SherdRow sherd,
+                 const records::Provenance& provenance);
 
 }  // namespace ostraka::catalogue

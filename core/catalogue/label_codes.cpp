@@ -14,7 +14,7 @@ constexpr std::string_view kSherdLabel = "ost1:s:", kBagLabel = "ost1:b:";
 constexpr std::size_t kIdEnd = 8;  // as they are printed
 
 bool beginsWith(std::string_view text, std::string_view start) {
-  return text.size() > start.size() && uniqueKey(text.substr(0, start.size())) == start;
+  return text.size() > start.size() && store::uniqueKey(text.substr(0, start.size())) == start;
 }
 
 bool isPlace(std::string_view text) {
@@ -30,21 +30,21 @@ bool isPlace(std::string_view text) {
 template <class Row, class... Values>
 Row rowBy(const Catalogue& catalogue, const char* sql, const Values&... values) {
   Row row;
-  Statement rows = catalogue.database().sql(sql);
+  store::Statement rows = catalogue.database().sql(sql);
   if (rows.with(values...).next()) rows >> row;
   return row;
 }
 
 template <class Row, class Record>
-Row made(Catalogue& catalogue, const Record& record, const Provenance& provenance) {
+Row made(Catalogue& catalogue, const Record& record, const records::Provenance& provenance) {
   const Result<Row> row = catalogue.save(record, provenance);
-  if (!row) throw Refused(row.error());
+  if (!row) throw store::Refused(row.error());
   return *row;
 }
 
 std::optional<BagPlace> placeBy(const Catalogue& catalogue, const std::string& condition,
                                 const auto& value) {
-  Statement rows = catalogue.database().sql(
+  store::Statement rows = catalogue.database().sql(
       "SELECT site.code, trench.code, context.number, bag.number FROM bag JOIN context ON "
       "context.row = bag.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
       "trench.row = context.trench WHERE " +
@@ -66,7 +66,7 @@ bool beginsAsSherdLabel(std::string_view text) {
 }
 
 std::optional<LabelCode> readLabelCode(std::string_view text) {
-  const std::string whole = trimmed(text);
+  const std::string whole = store::trimmed(text);
   LabelCode label;
   if (beginsWith(whole, kBagLabel))
     label.of = LabelCode::Of::Bag;
@@ -75,7 +75,7 @@ std::optional<LabelCode> readLabelCode(std::string_view text) {
   label.number = whole.substr(kSherdLabel.size());
   // A number may hold colons of its own.
   if (const std::size_t colon = label.number.rfind(':'); colon != std::string::npos) {
-    label.id_end = uniqueKey(label.number.substr(colon + 1));
+    label.id_end = store::uniqueKey(label.number.substr(colon + 1));
     label.number.resize(colon);
   }
   const bool whole_end = label.id_end.size() == kIdEnd &&
@@ -87,15 +87,15 @@ std::optional<LabelCode> readLabelCode(std::string_view text) {
   return label;
 }
 
-Result<SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label) {
+Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label) {
   return catalogue.database().door([&] {
     if (!label.id_end.empty())
-      return rowBy<SherdRow>(catalogue,
-                             "SELECT row FROM sherd WHERE substr(replace(id, '-', ''), -8) = ?",
-                             label.id_end);
+      return rowBy<store::SherdRow>(
+          catalogue, "SELECT row FROM sherd WHERE substr(replace(id, '-', ''), -8) = ?",
+          label.id_end);
     const std::size_t dash = label.number.find('-');
-    if (dash == std::string::npos || !label.isPlaceOnPlate()) return SherdRow();
-    return rowBy<SherdRow>(
+    if (dash == std::string::npos || !label.isPlaceOnPlate()) return store::SherdRow();
+    return rowBy<store::SherdRow>(
         catalogue,
         "SELECT sherd.row FROM sherd JOIN scan ON scan.row = sherd.front JOIN batch ON batch.row = "
         "scan.batch WHERE batch.number = ? COLLATE NOCASE AND scan.position = CAST(? AS INTEGER)",
@@ -110,44 +110,45 @@ Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const L
   });
 }
 
-Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, BagRow bag) {
+Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRow bag) {
   return catalogue.database().door([&] { return placeBy(catalogue, "bag.row = ?", bag); });
 }
 
-Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Provenance& provenance) {
+Result<store::BagRow> bagAt(Catalogue& catalogue, const BagPlace& place,
+                            const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    ContextRecord context;
+    records::ContextRecord context;
     context.number = place.context;
-    context.site = rowBy<SiteRow>(catalogue, "SELECT row FROM site WHERE code_key = ?",
-                                  uniqueKey(trimmed(place.site)));
+    context.site = rowBy<store::SiteRow>(catalogue, "SELECT row FROM site WHERE code_key = ?",
+                                         store::uniqueKey(store::trimmed(place.site)));
     if (!context.site) {
-      SiteRecord site;
+      records::SiteRecord site;
       site.code = site.name = place.site;
-      context.site = made<SiteRow>(catalogue, site, provenance);
+      context.site = made<store::SiteRow>(catalogue, site, provenance);
     }
     if (!place.trench.empty())
-      context.trench =
-          rowBy<TrenchRow>(catalogue, "SELECT row FROM trench WHERE site = ? AND code_key = ?",
-                           context.site, uniqueKey(trimmed(place.trench)));
+      context.trench = rowBy<store::TrenchRow>(
+          catalogue, "SELECT row FROM trench WHERE site = ? AND code_key = ?", context.site,
+          store::uniqueKey(store::trimmed(place.trench)));
     if (!place.trench.empty() && !context.trench) {
-      TrenchRecord trench;
+      records::TrenchRecord trench;
       trench.site = context.site;
       trench.code = place.trench;
-      context.trench = made<TrenchRow>(catalogue, trench, provenance);
+      context.trench = made<store::TrenchRow>(catalogue, trench, provenance);
     }
-    BagRecord bag;
+    records::BagRecord bag;
     bag.number = place.bag;
-    bag.context =
-        rowBy<ContextRow>(catalogue,
-                          "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
-                          "ifnull(?, 0) AND number_key "
-                          "= ?",
-                          context.site, context.trench, uniqueKey(trimmed(place.context)));
-    if (!bag.context) bag.context = made<ContextRow>(catalogue, context, provenance);
-    const BagRow known =
-        rowBy<BagRow>(catalogue, "SELECT row FROM bag WHERE context = ? AND number_key = ?",
-                      bag.context, uniqueKey(trimmed(place.bag)));
-    return known ? known : made<BagRow>(catalogue, bag, provenance);
+    bag.context = rowBy<store::ContextRow>(
+        catalogue,
+        "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
+        "ifnull(?, 0) AND number_key "
+        "= ?",
+        context.site, context.trench, store::uniqueKey(store::trimmed(place.context)));
+    if (!bag.context) bag.context = made<store::ContextRow>(catalogue, context, provenance);
+    const store::BagRow known =
+        rowBy<store::BagRow>(catalogue, "SELECT row FROM bag WHERE context = ? AND number_key = ?",
+                             bag.context, store::uniqueKey(store::trimmed(place.bag)));
+    return known ? known : made<store::BagRow>(catalogue, bag, provenance);
   });
 }
 

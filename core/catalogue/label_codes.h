@@ -24,7 +24,7 @@ bool beginsAsSherdLabel(std::string_view text);
 std::optional<LabelCode> readLabelCode(std::string_view text);
 
 /// The sherd that carries the label, whatever its number is by now; none: of another project.
-Result<SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label);
+Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label);
 
 /// A bag by the codes of where it is from; the trench may be empty.
 struct BagPlace {
@@ -35,9 +35,10 @@ struct BagPlace {
 /// project.
 Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label);
 /// The place of a bag. None: no such bag.
-Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, BagRow bag);
+Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRow bag);
 /// The bag's row, made with its context, trench and site where they are new. Capitals make no
 /// difference.
-Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Provenance& provenance);
+Result<store::BagRow> bagAt(Catalogue& catalogue, const BagPlace& place,
+                            const records::Provenance& provenance);
 
 }  // namespace ostraka::catalogue

@@ -14,9 +14,9 @@ namespace ostraka::catalogue {
 /// stopped or one is refused, what was changed already is taken back (the history tells both).
 /// Changes of one sherd follow each other. Returns the changes that undo it. Errors: as change(),
 /// Cancelled.
-Result<std::vector<FieldChange>> changeMany(Catalogue& catalogue,
-                                            std::span<const FieldChange> changes,
-                                            const Provenance& provenance, Progress& progress,
-                                            std::stop_token stop);
+Result<std::vector<records::FieldChange>> changeMany(Catalogue& catalogue,
+                                                     std::span<const records::FieldChange> changes,
+                                                     const records::Provenance& provenance,
+                                                     Progress& progress, std::stop_token stop);
 
 }  // namespace ostraka::catalogue

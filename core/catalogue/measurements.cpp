@@ -11,14 +11,14 @@ constexpr const char* kProgram = "program";
 struct Current {
   std::int64_t row = 0;
   double value = 0;
-  PersonRow by;
+  store::PersonRow by;
   std::string model_sha256, method;
   std::optional<double> uncertainty;
 };
 
-Current currentOf(Database& database, SherdRow sherd, const std::string& kind) {
+Current currentOf(store::Database& database, store::SherdRow sherd, const std::string& kind) {
   Current current;
-  Statement rows = database.sql(
+  store::Statement rows = database.sql(
       "SELECT row, value, person, model_sha256, method, uncertainty FROM measurement WHERE sherd = "
       "? AND kind = ? AND current = 1");
   if (rows.with(sherd, kind).next())
@@ -28,17 +28,18 @@ Current currentOf(Database& database, SherdRow sherd, const std::string& kind) {
 }
 
 std::string textOf(double value, const std::optional<double>& uncertainty) {
-  return numberText(value) + (uncertainty ? " ± " + numberText(*uncertainty) : std::string());
+  return store::numberText(value) +
+         (uncertainty ? " ± " + store::numberText(*uncertainty) : std::string());
 }
 
 constexpr const char* kCurrent =
     "SELECT sherd, kind, unit, value, uncertainty, method, person, model_sha256 FROM measurement "
     "WHERE current = 1 ";
 
-std::vector<Measurement> readAll(Statement& rows) {
-  std::vector<Measurement> all;
+std::vector<records::Measurement> readAll(store::Statement& rows) {
+  std::vector<records::Measurement> all;
   while (rows.next()) {
-    Measurement m;
+    records::Measurement m;
     rows >> m.sherd >> m.kind >> m.unit >> m.value >> m.uncertainty >> m.method >> m.by >>
         m.model_sha256;
     all.push_back(std::move(m));
@@ -46,7 +47,7 @@ std::vector<Measurement> readAll(Statement& rows) {
   return all;
 }
 
-void show(Database& database, SherdRow sherd, const std::string& kind,
+void show(store::Database& database, store::SherdRow sherd, const std::string& kind,
           const std::optional<double>& value) {
   database.sql("UPDATE sherd_measure SET " + kind + " = ? WHERE sherd = ?")
       .with(value, sherd)
@@ -55,9 +56,9 @@ void show(Database& database, SherdRow sherd, const std::string& kind,
 
 }  // namespace
 
-ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd) {
+ComputedMeasures computedMeasures(const Catalogue& catalogue, store::SherdRow sherd) {
   ComputedMeasures computed;
-  Statement rows = catalogue.database().sql(
+  store::Statement rows = catalogue.database().sql(
       "SELECT kind, value, current FROM measurement WHERE sherd = ? AND person IS NULL AND method "
       "= 'program' ORDER BY row");
   rows.with(sherd);
@@ -72,12 +73,12 @@ ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd) {
   return computed;
 }
 
-void setMeasure(Catalogue& catalogue, const Measurement& m, const Provenance& provenance,
-                MeasureRank rank) {
-  const std::string unit = unitOf(m.kind);
-  if (unit.empty()) refuse("There is no measurement of this kind.", m.kind);
-  if (!(m.value >= 0)) refuse("A measurement cannot be less than 0.", m.kind);
-  Database& database = catalogue.database();
+void setMeasure(Catalogue& catalogue, const records::Measurement& m,
+                const records::Provenance& provenance, MeasureRank rank) {
+  const std::string unit = records::unitOf(m.kind);
+  if (unit.empty()) store::refuse("There is no measurement of this kind.", m.kind);
+  if (!(m.value >= 0)) store::refuse("A measurement cannot be less than 0.", m.kind);
+  store::Database& database = catalogue.database();
   const Current old = currentOf(database, m.sherd, m.kind);
   if (old.row && old.value == m.value && old.by == m.by && old.method == m.method &&
       old.model_sha256 == m.model_sha256 && old.uncertainty == m.uncertainty)
@@ -88,7 +89,7 @@ void setMeasure(Catalogue& catalogue, const Measurement& m, const Provenance& pr
   if (counts && old.row)
     database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
   if (!counts) {
-    Statement same = database.sql(
+    store::Statement same = database.sql(
         "SELECT 1 FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND value = ? "
         "AND model_sha256 = ?");
     if (same.with(m.sherd, m.kind, m.value, m.model_sha256).next()) return;
@@ -97,38 +98,39 @@ void setMeasure(Catalogue& catalogue, const Measurement& m, const Provenance& pr
       .sql(
           "INSERT INTO measurement (id, at, person, sherd, kind, value, unit, uncertainty, "
           "method, model_sha256, replaces, current) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(newId(catalogue.now()), catalogue.now(), m.by, m.sherd, m.kind, m.value, unit,
+      .with(store::newId(catalogue.now()), catalogue.now(), m.by, m.sherd, m.kind, m.value, unit,
             m.uncertainty, m.method, m.model_sha256,
             old.row ? std::optional(old.row) : std::optional<std::int64_t>(), counts)
       .run();
   if (!counts) return;
   show(database, m.sherd, m.kind, m.value);
   remember(catalogue, provenance, "sherd", m.sherd.value, m.kind,
-           old.row ? textOf(old.value, old.uncertainty) : std::string(),
-           textOf(m.value, m.uncertainty));
+           old.row ? records::textOf(old.value, old.uncertainty) : std::string(),
+           records::textOf(m.value, m.uncertainty));
 }
 
-void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
-                  const Provenance& provenance) {
-  Database& database = catalogue.database();
+void clearMeasure(Catalogue& catalogue, store::SherdRow sherd, const std::string& kind,
+                  const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
   const Current old = currentOf(database, sherd, kind);
   if (!old.row) return;
   database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
   show(database, sherd, kind, std::nullopt);
-  remember(catalogue, provenance, "sherd", sherd.value, kind, textOf(old.value, old.uncertainty),
-           "");
+  remember(catalogue, provenance, "sherd", sherd.value, kind,
+           records::textOf(old.value, old.uncertainty), "");
 }
 
-void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Provenance& provenance) {
-  Measurement m = typed;
+void typeMeasure(Catalogue& catalogue, const records::Measurement& typed,
+                 const records::Provenance& provenance) {
+  records::Measurement m = typed;
   m.by = provenance.person;
   if (m.uncertainty == 0.0) m.uncertainty.reset();
   // Who types what was there before (undo does) restores it with its method.
-  Statement rows = catalogue.database().sql(
+  store::Statement rows = catalogue.database().sql(
       "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ?1 AND kind "
       "= ?2 AND value = ?3 AND (?4 IS NULL OR ifnull(uncertainty, 0) = ?4) ORDER BY row DESC "
       "LIMIT 1");
-  Measurement was = m;
+  records::Measurement was = m;
   if (rows.with(m.sherd, m.kind, m.value, typed.uncertainty).next())
     rows >> was.by >> was.method >> was.model_sha256 >> was.uncertainty;
   const bool of_program = !was.by && was.method == kProgram;
@@ -136,7 +138,7 @@ void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Provenanc
   // Over what the program says nobody restores it: a person measured what an earlier model had.
   if (!of_program || !(now.row && !now.by && now.method == kProgram)) m = was;
   if (!m.by && m.method == kProgram) {  // what it says of the model that is there now
-    Statement latest = catalogue.database().sql(
+    store::Statement latest = catalogue.database().sql(
         "SELECT value, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind = ? AND "
         "person IS NULL AND method = 'program' ORDER BY row DESC LIMIT 1");
     if (latest.with(m.sherd, m.kind).next()) latest >> m.value >> m.model_sha256 >> m.uncertainty;
@@ -144,34 +146,38 @@ void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Provenanc
   setMeasure(catalogue, m, provenance, MeasureRank::Always);
 }
 
-Result<void> Catalogue::measure(const Measurement& m, const Provenance& provenance) {
+Result<void> Catalogue::measure(const records::Measurement& m,
+                                const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    Measurement measured = m;
+    records::Measurement measured = m;
     measured.by = provenance.person;
     setMeasure(*this, measured, provenance, MeasureRank::PersonFirst);
   });
 }
 
-Result<std::vector<Measurement>> Catalogue::measurements(SherdRow sherd) const {
+Result<std::vector<records::Measurement>> Catalogue::measurements(store::SherdRow sherd) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kCurrent) + "AND sherd = ? ORDER BY row");
+    store::Statement rows = database_->sql(std::string(kCurrent) + "AND sherd = ? ORDER BY row");
     return readAll(rows.with(sherd));
   });
 }
 
-Result<std::vector<Measurement>> Catalogue::measuredByHand(std::span<const SherdRow> sherds) const {
+Result<std::vector<records::Measurement>> Catalogue::measuredByHand(
+    std::span<const store::SherdRow> sherds) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kCurrent) +
-                                    "AND method <> 'program' AND sherd IN (SELECT value FROM "
-                                    "json_each(?)) ORDER BY sherd, row");
+    store::Statement rows =
+        database_->sql(std::string(kCurrent) +
+                       "AND method <> 'program' AND sherd IN (SELECT value FROM "
+                       "json_each(?)) ORDER BY sherd, row");
     return readAll(rows.with(rowsJson(sherds)));
   });
 }
 
-Result<std::vector<double>> Catalogue::everComputed(SherdRow sherd, const std::string& kind) const {
+Result<std::vector<double>> Catalogue::everComputed(store::SherdRow sherd,
+                                                    const std::string& kind) const {
   return database_->door([&] {
     std::vector<double> values;
-    Statement rows = database_->sql(
+    store::Statement rows = database_->sql(
         "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method "
         "= 'program'");
     for (rows.with(sherd, kind); rows.next();) rows >> values.emplace_back();

@@ -11,10 +11,10 @@
 namespace ostraka::catalogue {
 
 std::map<std::string, std::string> numberTokens(const Catalogue& catalogue,
-                                                const SherdRecord& sherd) {
+                                                const records::SherdRecord& sherd) {
   std::int64_t at = catalogue.now();
   if (sherd.batch) {
-    Statement row =
+    store::Statement row =
         catalogue.database().sql("SELECT ifnull(started_ms, 0) FROM batch WHERE row = ?");
     std::int64_t started = 0;
     if (row.with(sherd.batch).next()) row >> started;
@@ -41,8 +41,8 @@ struct Counted {
 };
 
 // Which n of the project's count a number is, when it has the scheme's form.
-Counted countedIn(const Catalogue& catalogue, const Numbering& scheme, const SherdRecord& sherd,
-                  const std::string& number) {
+Counted countedIn(const Catalogue& catalogue, const records::Numbering& scheme,
+                  const records::SherdRecord& sherd, const std::string& number) {
   const Result<std::string> counter = scheme.counter(numberTokens(catalogue, sherd));
   if (!counter) return {};
   const std::size_t at = counter->find("{n}");
@@ -56,8 +56,8 @@ Counted countedIn(const Catalogue& catalogue, const Numbering& scheme, const She
   return {*counter, std::stoll(digits)};
 }
 
-Numbering schemeOf(const Catalogue& catalogue) {
-  return valueOrThrow(Numbering::parse(valueOrThrow(catalogue.project()).numbering));
+records::Numbering schemeOf(const Catalogue& catalogue) {
+  return valueOrThrow(records::Numbering::parse(valueOrThrow(catalogue.project()).numbering));
 }
 
 // The block of numbers of this computer (settings numbering.first and numbering.last), so that two
@@ -65,14 +65,14 @@ Numbering schemeOf(const Catalogue& catalogue) {
 std::int64_t settingNumber(const Catalogue& catalogue, const char* key, std::int64_t otherwise) {
   const std::string text = valueOrThrow(catalogue.setting(key));
   if (text.empty()) return otherwise;
-  return static_cast<std::int64_t>(valueOrThrow(parsedNumber(text)));
+  return static_cast<std::int64_t>(valueOrThrow(store::parsedNumber(text)));
 }
 
 // After the highest of the block that this computer gives.
-std::int64_t nextOf(Database& database, const std::string& counter, std::int64_t first,
+std::int64_t nextOf(store::Database& database, const std::string& counter, std::int64_t first,
                     std::int64_t last) {
   std::int64_t next = first;
-  Statement highest = database.sql(
+  store::Statement highest = database.sql(
       "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 AND ?3");
   highest.with(counter, first, last);
   if (highest.next()) highest >> next;
@@ -81,25 +81,25 @@ std::int64_t nextOf(Database& database, const std::string& counter, std::int64_t
 
 }  // namespace
 
-Result<int> nextNumber(const Catalogue& catalogue, const std::string& counter, int first,
-                       int last) {
+Result<int> records::nextNumber(const Catalogue& catalogue, const std::string& counter, int first,
+                                int last) {
   return catalogue.database().door(
       [&] { return static_cast<int>(nextOf(catalogue.database(), counter, first, last)); });
 }
 
-Taken takenBy(Database& database, const std::string& number) {
+Taken takenBy(store::Database& database, const std::string& number) {
   Taken taken;
-  const std::string key = uniqueKey(number);
-  Statement rows = database.sql(
+  const std::string key = store::uniqueKey(number);
+  store::Statement rows = database.sql(
       "SELECT sherd, number, number_key <> ?1 FROM given_number WHERE number_key = ?1 OR slug_key "
       "= ?2 ORDER BY number_key <> ?1");
-  if (rows.with(key, uniqueKey(slug(number))).next())
+  if (rows.with(key, store::uniqueKey(store::slug(number))).next())
     rows >> taken.sherd >> taken.number >> taken.slug_only;
   return taken;
 }
 
-void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string& number) {
-  Database& database = catalogue.database();
+void setNumber(Catalogue& catalogue, const records::SherdRecord& sherd, const std::string& number) {
+  store::Database& database = catalogue.database();
   if (number.empty()) {
     database.sql("UPDATE sherd SET number = '', number_sort = ?, state = 'draft' WHERE row = ?")
         .with(kBehindAllNumbers, sherd.row)
@@ -108,28 +108,30 @@ void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string
   }
   const Taken taken = takenBy(database, number);
   if (taken.sherd && (taken.sherd != sherd.row || taken.slug_only))
-    refuse("The number " + number + " was assigned before; numbers are never reused.", number);
+    store::refuse("The number " + number + " was assigned before; numbers are never reused.",
+                  number);
   if (!taken.sherd) {
     const Counted counted = countedIn(catalogue, schemeOf(catalogue), sherd, number);
     database.sql("INSERT INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .with(uniqueKey(number), uniqueKey(slug(number)), number, sherd.row, catalogue.now(),
-              counted.counter, counted.n)
+        .with(store::uniqueKey(number), store::uniqueKey(store::slug(number)), number, sherd.row,
+              catalogue.now(), counted.counter, counted.n)
         .run();
   }
   database.sql("UPDATE sherd SET number = ?, number_sort = ?, state = 'numbered' WHERE row = ?")
-      .with(number, sortKey(number), sherd.row)
+      .with(number, store::sortKey(number), sherd.row)
       .run();
 }
 
-Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const SherdRow> rows) const {
+Result<std::vector<std::string>> Catalogue::proposeNumbers(
+    std::span<const store::SherdRow> rows) const {
   return database_->door([&] {
-    const Numbering scheme = schemeOf(*this);
+    const records::Numbering scheme = schemeOf(*this);
     const std::int64_t first = settingNumber(*this, "numbering.first", 1);
     const std::int64_t last = settingNumber(*this, "numbering.last", 999'999'999);
     std::map<std::string, std::int64_t> next;
     std::vector<std::string> numbers;
     const std::set<std::string> typed = typedEverywhere(*this);
-    for (const SherdRecord& sherd : valueOrThrow(sherds(rows))) {
+    for (const records::SherdRecord& sherd : valueOrThrow(sherds(rows))) {
       if (!sherd.number.empty()) {
         numbers.push_back(sherd.number);
         continue;
@@ -137,7 +139,7 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
       const auto tokens = numberTokens(*this, sherd);
       const std::string counter = valueOrThrow(scheme.counter(tokens));
       // A sherd that had a number of this count before gets it back: it is nobody else's.
-      Statement own = database_->sql(
+      store::Statement own = database_->sql(
           "SELECT number FROM given_number WHERE sherd = ? AND counter = ? ORDER BY n DESC LIMIT "
           "1");
       if (own.with(sherd.row, counter).next()) {
@@ -150,23 +152,23 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
       do {
         const std::int64_t n = next[counter]++;
         if (n > last)
-          refuse("The block of numbers up to " + std::to_string(last) +
-                     " is used up; assign this computer a new block in the settings.",
-                 counter);
+          store::refuse("The block of numbers up to " + std::to_string(last) +
+                            " is used up; assign this computer a new block in the settings.",
+                        counter);
         number = valueOrThrow(scheme.number(tokens, static_cast<int>(n)));
         // Typed by hand in another form, or on a plate that is not computed yet.
-      } while (takenBy(*database_, number).sherd || typed.contains(uniqueKey(number)));
+      } while (takenBy(*database_, number).sherd || typed.contains(store::uniqueKey(number)));
       numbers.push_back(number);
     }
     return numbers;
   });
 }
 
-Result<std::vector<std::string>> Catalogue::assignNumbers(std::span<const SherdRow> rows,
-                                                          const Provenance& provenance) {
+Result<std::vector<std::string>> Catalogue::assignNumbers(std::span<const store::SherdRow> rows,
+                                                          const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     std::vector<std::string> numbers = valueOrThrow(proposeNumbers(rows));
-    std::vector<FieldChange> changes;
+    std::vector<records::FieldChange> changes;
     for (std::size_t i = 0; i < rows.size(); ++i)
       changes.push_back({rows[i], "number", numbers[i]});
     valueOrThrow(change(changes, provenance));
@@ -174,10 +176,10 @@ Result<std::vector<std::string>> Catalogue::assignNumbers(std::span<const SherdR
   });
 }
 
-Result<std::vector<int>> Catalogue::numberGaps(ContextRow context) const {
+Result<std::vector<int>> Catalogue::numberGaps(store::ContextRow context) const {
   return database_->door([&] {
     std::vector<int> gaps;
-    Statement rows = database_->sql(
+    store::Statement rows = database_->sql(
         "SELECT counter, n FROM given_number WHERE n IS NOT NULL AND counter IN (SELECT g.counter "
         "FROM given_number g JOIN sherd s ON s.row = g.sherd WHERE s.context = ? AND g.counter <> "
         "'') ORDER BY counter, n");

@@ -21,9 +21,9 @@ constexpr double kOtherSize =
     0.1;  // two models of one sherd differ by less, also where one is poor
 
 // What the program measured last before `at`, or at all.
-std::optional<double> programs(Database& database, SherdRow sherd, const char* kind,
+std::optional<double> programs(store::Database& database, store::SherdRow sherd, const char* kind,
                                std::int64_t before) {
-  Statement row = database.sql(
+  store::Statement row = database.sql(
       "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method = "
       "'program' AND at < ? ORDER BY row DESC LIMIT 1");
   double value = 0;
@@ -34,31 +34,32 @@ std::optional<double> programs(Database& database, SherdRow sherd, const char* k
 
 // What was described or measured on the draft before its number was known. What both say is
 // kept as the known one has it, and stays to be read on the void draft.
-void carryOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
-               const Provenance& provenance) {
+void carryOver(Catalogue& catalogue, const records::SherdRecord& known,
+               const records::SherdRecord& made, const records::Provenance& provenance) {
   for (const SherdColumn& column : sherdColumns()) {
     const std::string field = column.field.name;
-    if (!column.field.editable || column.field.kind == FieldKind::Place || column.measure) continue;
+    if (!column.field.editable || column.field.kind == records::FieldKind::Place || column.measure)
+      continue;
     if (field == "number" || field == "void_reason") continue;
-    const std::string has = textOf(known, field), comes = textOf(made, field);
+    const std::string has = records::textOf(known, field), comes = records::textOf(made, field);
     if (comes.empty() || comes == has) continue;
     const bool both = field == "note" || field == "joins";
     if (!has.empty() && !both) continue;
-    const FieldChange said{known.row, field, has.empty() ? comes : has + "; " + comes};
+    const records::FieldChange said{known.row, field, has.empty() ? comes : has + "; " + comes};
     // What is refused, say a join to itself, stays there too.
     (void)catalogue.change(std::span(&said, 1), provenance);
   }
 
-  const SherdRow rows[] = {known.row, made.row};
+  const store::SherdRow rows[] = {known.row, made.row};
   std::set<std::string> has;
-  std::vector<Measurement> comes;
-  for (const Measurement& m : valueOrThrow(catalogue.measuredByHand(rows))) {
+  std::vector<records::Measurement> comes;
+  for (const records::Measurement& m : valueOrThrow(catalogue.measuredByHand(rows))) {
     if (m.sherd == known.row)
       has.insert(m.kind);
     else
       comes.push_back(m);
   }
-  for (Measurement& m : comes) {
+  for (records::Measurement& m : comes) {
     m.sherd = known.row;
     if (!has.contains(m.kind)) setMeasure(catalogue, m, provenance, MeasureRank::Always);
   }
@@ -66,23 +67,23 @@ void carryOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord
 
 }  // namespace
 
-bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd) {
-  if (sherd.number.empty() || sherd.state == SherdState::Void || sherd.back ||
+bool waitsForPhotographs(const Catalogue& catalogue, const records::SherdRecord& sherd) {
+  if (sherd.number.empty() || sherd.state == records::SherdState::Void || sherd.back ||
       !sherd.model_path.empty())
     return false;
   if (!sherd.front) return true;
   // The last word counts, not that it was once asked for.
   const auto now = valueOrThrow(catalogue.currentDecisions(sherd.batch));
-  return std::any_of(now.begin(), now.end(), [&](const PairDecision& d) {
-    return d.verdict == Verdict::Reshoot && d.front == sherd.front;
+  return std::any_of(now.begin(), now.end(), [&](const records::PairDecision& d) {
+    return d.verdict == records::Verdict::Reshoot && d.front == sherd.front;
   });
 }
 
-Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
+Result<std::vector<records::SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
   return catalogue.database().door([&] {
-    std::vector<SherdRow> rows;
+    std::vector<store::SherdRow> rows;
     {
-      Statement asked = catalogue.database().sql(
+      store::Statement asked = catalogue.database().sql(
           "SELECT DISTINCT s.row FROM pair_decision d JOIN sherd s ON s.front = d.front WHERE "
           "d.verdict = 'reshoot' AND s.number <> '' AND s.back IS NULL AND s.model_path = '' "
           "ORDER BY s.number_sort");
@@ -91,20 +92,21 @@ Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
         asked >> rows.back();
       }
     }
-    std::vector<SherdRecord> wanted = valueOrThrow(catalogue.sherds(rows));
+    std::vector<records::SherdRecord> wanted = valueOrThrow(catalogue.sherds(rows));
     const std::map<std::string, std::string> lies_again = typedAndWaiting(catalogue);
-    std::erase_if(wanted, [&](const SherdRecord& sherd) {
-      return !waitsForPhotographs(catalogue, sherd) || lies_again.contains(uniqueKey(sherd.number));
+    std::erase_if(wanted, [&](const records::SherdRecord& sherd) {
+      return !waitsForPhotographs(catalogue, sherd) ||
+             lies_again.contains(store::uniqueKey(sherd.number));
     });
     return wanted;
   });
 }
 
 Result<std::vector<PhotographedAgain>> photographedAgain(const Catalogue& catalogue,
-                                                         BatchRow batch) {
+                                                         store::BatchRow batch) {
   return catalogue.database().door([&] {
     std::vector<PhotographedAgain> all;
-    Statement moved = catalogue.database().sql(
+    store::Statement moved = catalogue.database().sql(
         "SELECT DISTINCT scan.row, s.number, b.number FROM scan "
         "JOIN history h ON h.table_name = 'sherd' AND h.field = 'front' AND h.old = CAST(scan.row "
         "AS TEXT) "
@@ -121,12 +123,12 @@ Result<std::vector<PhotographedAgain>> photographedAgain(const Catalogue& catalo
   });
 }
 
-Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, BatchRow batch) {
+Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, store::BatchRow batch) {
   return catalogue.database().door([&] {
-    Database& database = catalogue.database();
-    std::vector<std::pair<SherdRow, std::int64_t>> came;
+    store::Database& database = catalogue.database();
+    std::vector<std::pair<store::SherdRow, std::int64_t>> came;
     {
-      Statement moved = database.sql(
+      store::Statement moved = database.sql(
           "SELECT s.row, max(h.at) FROM sherd s JOIN history h ON h.table_name = 'sherd' AND h.row "
           "= s.row AND h.field = 'batch' WHERE s.batch = ? AND s.number <> '' AND s.state <> "
           "'void' GROUP BY s.row ORDER BY s.number_sort");
@@ -155,11 +157,12 @@ Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, Batch
   });
 }
 
-void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
-              const Provenance& provenance) {
-  Database& database = catalogue.database();
+void takeOver(Catalogue& catalogue, const records::SherdRecord& known,
+              const records::SherdRecord& made, const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
   carryOver(catalogue, known, made, provenance);
-  for (const SherdRecord* sherd : {&known, &made}) forgetModel(catalogue, sherd->row, provenance);
+  for (const records::SherdRecord* sherd : {&known, &made})
+    forgetModel(catalogue, sherd->row, provenance);
   database.sql("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?").with(made.row).run();
   valueOrThrow(catalogue.voidSherd(made.row, "reshot: " + known.number, provenance));
   // Else it lay on two plates, and could not be typed on a third.

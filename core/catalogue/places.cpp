@@ -20,45 +20,45 @@ constexpr std::string_view kContextKinds[] = {"",          "layer",   "cut",    
 
 // A code or number that people read: composed, without blanks at its ends, not empty.
 std::string needed(const std::string& text, const char* what) {
-  const Result<std::string> checked = checkedText(text);
-  if (!checked) throw Refused(checked.error());
-  if (checked->empty()) refuse(std::string("The ") + what + " must not be empty.");
+  const Result<std::string> checked = store::checkedText(text);
+  if (!checked) throw store::Refused(checked.error());
+  if (checked->empty()) store::refuse(std::string("The ") + what + " must not be empty.");
   if (checked->size() > 200)
-    refuse(std::string("The ") + what + " must have at most 200 characters.", *checked);
+    store::refuse(std::string("The ") + what + " must have at most 200 characters.", *checked);
   return *checked;
 }
 
 std::string checked(const Result<std::string>& value, const char* where) {
-  if (!value) throw Refused({value.error().code, value.error().what, where});
+  if (!value) throw store::Refused({value.error().code, value.error().what, where});
   return *value;
 }
 
 std::string optionalText(const std::optional<double>& value) {
-  return value ? numberText(*value) : std::string();
+  return value ? store::numberText(*value) : std::string();
 }
 
 // The row that holds this key already, other than the one being saved.
-void refuseDouble(Statement rows, std::int64_t own, const std::string& what) {
+void refuseDouble(store::Statement rows, std::int64_t own, const std::string& what) {
   std::int64_t row = 0;
   while (rows.next()) {
     rows >> row;
-    if (row != own) refuse(what);
+    if (row != own) store::refuse(what);
   }
 }
 
 // Adds an empty row with what every table has, or changes the stamp of the row that is there.
 class Saving {
  public:
-  Saving(const Catalogue& catalogue, const Provenance& provenance, const char* table,
+  Saving(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
          std::int64_t row, const std::string& id)
       : catalogue_(catalogue), provenance_(provenance), table_(table), row_(row), id_(id) {
-    if (!id.empty() && !isUuid(id)) refuse("The uuid is not well formed.", id);
+    if (!id.empty() && !store::isUuid(id)) store::refuse("The uuid is not well formed.", id);
   }
 
   template <class... Values>
   std::int64_t done(const std::string& columns, const std::string& label,
                     const std::vector<SavedField>& fields, const Values&... values) {
-    Database& database = catalogue_.database();
+    store::Database& database = catalogue_.database();
     const std::int64_t now = catalogue_.now();
     std::string marks, pairs, name;
     for (std::size_t i = 0; i <= columns.size(); ++i) {
@@ -77,8 +77,8 @@ class Saving {
       database
           .sql("INSERT INTO " + table_ + " (id, created_at, created_by, updated_at, updated_by, " +
                list + ") VALUES (?, ?, ?, ?, ?" + marks + ")")
-          .with(id_.empty() ? newId(now) : id_, now, provenance_.person, now, provenance_.person,
-                values...)
+          .with(id_.empty() ? store::newId(now) : id_, now, provenance_.person, now,
+                provenance_.person, values...)
           .run();
       row_ = database.lastRow();
       remember(catalogue_, provenance_, table_.c_str(), row_, "", "", label);
@@ -90,13 +90,13 @@ class Saving {
              "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?")
         .with(values..., now, provenance_.person, row_)
         .run();
-    if (database.changes() != 1) refuse("The " + table_ + " is no longer in the catalogue.");
+    if (database.changes() != 1) store::refuse("The " + table_ + " is no longer in the catalogue.");
     return row_;
   }
 
  private:
   const Catalogue& catalogue_;
-  const Provenance& provenance_;
+  const records::Provenance& provenance_;
   std::string table_;
   std::int64_t row_;
   std::string id_;
@@ -108,15 +108,15 @@ constexpr const char* kContexts =
     "context "
     "JOIN site ON site.row = context.site LEFT JOIN trench ON trench.row = context.trench";
 
-ContextRecord readContext(Statement& row) {
-  ContextRecord c;
+records::ContextRecord readContext(store::Statement& row) {
+  records::ContextRecord c;
   row >> c.row >> c.site >> c.trench >> c.id >> c.number >> c.kind >> c.excavated_on >> c.period >>
       c.date_edtf >> c.note >> c.closed >> c.extra_json >> c.site_code >> c.trench_code;
   return c;
 }
 
 // After a place was renamed, the sherds in it are found by the new name.
-void searchAnew(Database& database, const char* which, std::int64_t row) {
+void searchAnew(store::Database& database, const char* which, std::int64_t row) {
   const std::string update =
       std::string("UPDATE sherd_text SET words = (SELECT ") + kSearchedWords +
       " FROM sherd_words WHERE sherd = sherd_text.rowid) WHERE rowid IN (SELECT sherd.row FROM "
@@ -127,13 +127,13 @@ void searchAnew(Database& database, const char* which, std::int64_t row) {
 
 }  // namespace
 
-Result<std::vector<PersonRecord>> Catalogue::persons() const {
+Result<std::vector<records::PersonRecord>> Catalogue::persons() const {
   return database_->door([&] {
-    std::vector<PersonRecord> all;
-    Statement rows =
+    std::vector<records::PersonRecord> all;
+    store::Statement rows =
         database_->sql("SELECT row, id, name, initials, orcid FROM person ORDER BY initials_key");
     while (rows.next()) {
-      PersonRecord p;
+      records::PersonRecord p;
       rows >> p.row >> p.id >> p.name >> p.initials >> p.orcid;
       all.push_back(std::move(p));
     }
@@ -141,41 +141,42 @@ Result<std::vector<PersonRecord>> Catalogue::persons() const {
   });
 }
 
-Result<PersonRow> Catalogue::save(const PersonRecord& p, const Provenance& provenance) {
+Result<store::PersonRow> Catalogue::save(const records::PersonRecord& p,
+                                         const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string name = needed(p.name, "name of a person");
     const std::string initials = needed(p.initials, "person's initials");
-    const std::string key = uniqueKey(initials);
-    Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
+    const std::string key = store::uniqueKey(initials);
+    store::Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
     refuseDouble(std::move(same.with(key)), p.row.value,
                  "The initials " + initials + " already belong to another person.");
-    return PersonRow{Saving(*this, provenance, "person", p.row.value, p.id)
-                         .done("name initials initials_key orcid", initials,
-                               {{"name", name}, {"initials", initials}, {"orcid", p.orcid}}, name,
-                               initials, key, p.orcid)};
+    return store::PersonRow{Saving(*this, provenance, "person", p.row.value, p.id)
+                                .done("name initials initials_key orcid", initials,
+                                      {{"name", name}, {"initials", initials}, {"orcid", p.orcid}},
+                                      name, initials, key, p.orcid)};
   });
 }
 
-Result<PersonRow> Catalogue::personByInitials(const std::string& initials,
-                                              const Provenance& provenance) {
-  const Result<PersonRow> known = database_->door([&] {
-    PersonRow row;
-    Statement rows = database_->sql("SELECT row FROM person WHERE initials_key = ?");
-    if (rows.with(uniqueKey(trimmed(initials))).next()) rows >> row;
+Result<store::PersonRow> Catalogue::personByInitials(const std::string& initials,
+                                                     const records::Provenance& provenance) {
+  const Result<store::PersonRow> known = database_->door([&] {
+    store::PersonRow row;
+    store::Statement rows = database_->sql("SELECT row FROM person WHERE initials_key = ?");
+    if (rows.with(store::uniqueKey(store::trimmed(initials))).next()) rows >> row;
     return row;
   });
   if (!known || *known) return known;
-  return save(PersonRecord{{}, {}, initials, initials, {}}, provenance);
+  return save(records::PersonRecord{{}, {}, initials, initials, {}}, provenance);
 }
 
-Result<std::vector<SiteRecord>> Catalogue::sites() const {
+Result<std::vector<records::SiteRecord>> Catalogue::sites() const {
   return database_->door([&] {
-    std::vector<SiteRecord> all;
-    Statement rows = database_->sql(
+    std::vector<records::SiteRecord> all;
+    store::Statement rows = database_->sql(
         "SELECT row, id, code, name, gazetteer, latitude_deg, longitude_deg, location_public FROM "
         "site ORDER BY code_key");
     while (rows.next()) {
-      SiteRecord s;
+      records::SiteRecord s;
       rows >> s.row >> s.id >> s.code >> s.name >> s.gazetteer >> s.latitude_deg >>
           s.longitude_deg >> s.location_public;
       all.push_back(std::move(s));
@@ -184,16 +185,17 @@ Result<std::vector<SiteRecord>> Catalogue::sites() const {
   });
 }
 
-Result<SiteRow> Catalogue::save(const SiteRecord& s, const Provenance& provenance) {
+Result<store::SiteRow> Catalogue::save(const records::SiteRecord& s,
+                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = needed(s.code, "code of a site"), key = uniqueKey(code);
+    const std::string code = needed(s.code, "code of a site"), key = store::uniqueKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
-      refuse("The latitude must be between -90 and 90 degrees.", code);
+      store::refuse("The latitude must be between -90 and 90 degrees.", code);
     if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
-      refuse("The longitude must be between -180 and 180 degrees.", code);
+      store::refuse("The longitude must be between -180 and 180 degrees.", code);
     refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
                  s.row.value, "The site " + code + " already exists.");
-    const SiteRow row{
+    const store::SiteRow row{
         Saving(*this, provenance, "site", s.row.value, s.id)
             .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
                   {{"code", code},
@@ -209,13 +211,13 @@ Result<SiteRow> Catalogue::save(const SiteRecord& s, const Provenance& provenanc
   });
 }
 
-Result<std::vector<TrenchRecord>> Catalogue::trenches() const {
+Result<std::vector<records::TrenchRecord>> Catalogue::trenches() const {
   return database_->door([&] {
-    std::vector<TrenchRecord> all;
-    Statement rows = database_->sql(
+    std::vector<records::TrenchRecord> all;
+    store::Statement rows = database_->sql(
         "SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key");
     while (rows.next()) {
-      TrenchRecord t;
+      records::TrenchRecord t;
       rows >> t.row >> t.site >> t.id >> t.code >> t.name >> t.parent;
       all.push_back(std::move(t));
     }
@@ -223,114 +225,120 @@ Result<std::vector<TrenchRecord>> Catalogue::trenches() const {
   });
 }
 
-Result<TrenchRow> Catalogue::save(const TrenchRecord& t, const Provenance& provenance) {
+Result<store::TrenchRow> Catalogue::save(const records::TrenchRecord& t,
+                                         const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = needed(t.code, "code of a trench"), key = uniqueKey(code);
-    if (!t.site) refuse("A trench needs a site.", code);
-    if (t.parent && t.parent == t.row) refuse("A trench cannot contain itself.", code);
+    const std::string code = needed(t.code, "code of a trench"), key = store::uniqueKey(code);
+    if (!t.site) store::refuse("A trench needs a site.", code);
+    if (t.parent && t.parent == t.row) store::refuse("A trench cannot contain itself.", code);
     refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
                                .with(t.site, key)),
                  t.row.value, "The trench " + code + " already exists in this site.");
-    const TrenchRow row{Saving(*this, provenance, "trench", t.row.value, t.id)
-                            .done("site code code_key name parent", code,
-                                  {{"site", rowText(t.site.value)},
-                                   {"code", code},
-                                   {"name", t.name},
-                                   {"parent", rowText(t.parent.value)}},
-                                  t.site, code, key, t.name, t.parent)};
+    const store::TrenchRow row{Saving(*this, provenance, "trench", t.row.value, t.id)
+                                   .done("site code code_key name parent", code,
+                                         {{"site", rowText(t.site.value)},
+                                          {"code", code},
+                                          {"name", t.name},
+                                          {"parent", rowText(t.parent.value)}},
+                                         t.site, code, key, t.name, t.parent)};
     if (t.row) searchAnew(*database_, "trench", row.value);
     return row;
   });
 }
 
-Result<std::vector<ContextRecord>> Catalogue::contexts() const {
+Result<std::vector<records::ContextRecord>> Catalogue::contexts() const {
   return database_->door([&] {
-    std::vector<ContextRecord> all;
-    Statement rows = database_->sql(std::string(kContexts) +
-                                    " ORDER BY site.code_key, trench.code_key, context.number_key");
+    std::vector<records::ContextRecord> all;
+    store::Statement rows = database_->sql(
+        std::string(kContexts) + " ORDER BY site.code_key, trench.code_key, context.number_key");
     while (rows.next()) all.push_back(readContext(rows));
     return all;
   });
 }
 
-Result<ContextRecord> Catalogue::context(ContextRow row) const {
+Result<records::ContextRecord> Catalogue::context(store::ContextRow row) const {
   return database_->door([&] {
-    Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
-    if (!rows.with(row).next()) refuse("This context is no longer in the catalogue.");
+    store::Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
+    if (!rows.with(row).next()) store::refuse("This context is no longer in the catalogue.");
     return readContext(rows);
   });
 }
 
-Result<ContextRow> Catalogue::contextByPlace(const std::string& site, const std::string& trench,
-                                             const std::string& number) const {
+Result<store::ContextRow> Catalogue::contextByPlace(const std::string& site,
+                                                    const std::string& trench,
+                                                    const std::string& number) const {
   return database_->door([&] {
-    ContextRow row;
-    Statement rows = database_->sql(
+    store::ContextRow row;
+    store::Statement rows = database_->sql(
         "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
         "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
         "ifnull(trench.code_key, '') = ?");
-    if (rows.with(uniqueKey(number), uniqueKey(site), uniqueKey(trench)).next()) rows >> row;
+    if (rows.with(store::uniqueKey(number), store::uniqueKey(site), store::uniqueKey(trench))
+            .next())
+      rows >> row;
     return row;
   });
 }
 
-Result<ContextRow> Catalogue::save(const ContextRecord& c, const Provenance& provenance) {
+Result<store::ContextRow> Catalogue::save(const records::ContextRecord& c,
+                                          const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = needed(c.number, "number of a context"), key = uniqueKey(number);
-    if (!c.site) refuse("A context needs a site.", number);
+    const std::string number = needed(c.number, "number of a context"),
+                      key = store::uniqueKey(number);
+    if (!c.site) store::refuse("A context needs a site.", number);
     if (std::find(std::begin(kContextKinds), std::end(kContextKinds), c.kind) ==
         std::end(kContextKinds))
-      refuse(
+      store::refuse(
           "'" + c.kind +
           "' is not a kind of context; use layer, cut, fill, structure, surface or unstratified.");
-    const std::string day = checked(checkedDay(c.excavated_on), "excavated_on");
-    const std::string edtf = checked(checkedEdtf(c.date_edtf), "date_edtf");
+    const std::string day = checked(store::checkedDay(c.excavated_on), "excavated_on");
+    const std::string edtf = checked(store::checkedEdtf(c.date_edtf), "date_edtf");
     if (c.trench) {
-      Statement inside = database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?");
+      store::Statement inside = database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?");
       if (!inside.with(c.trench, c.site).next())
-        refuse("The trench and the context belong to different sites.", number);
+        store::refuse("The trench and the context belong to different sites.", number);
     }
     refuseDouble(std::move(database_
                                ->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
                                      "= ifnull(?, 0) AND number_key = ?")
                                .with(c.site, c.trench, key)),
                  c.row.value, "The context " + number + " already exists in this place.");
-    const ContextRow row{Saving(*this, provenance, "context", c.row.value, c.id)
-                             .done("site trench number number_key kind excavated_on period "
-                                   "date_edtf closed note extra",
-                                   number,
-                                   {{"site", rowText(c.site.value)},
-                                    {"trench", rowText(c.trench.value)},
-                                    {"number", number},
-                                    {"kind", c.kind},
-                                    {"excavated_on", day},
-                                    {"period", c.period},
-                                    {"date_edtf", edtf},
-                                    {"closed", c.closed ? "1" : "0"},
-                                    {"note", c.note},
-                                    {"extra", c.extra_json}},
-                                   c.site, c.trench, number, key, c.kind, day, c.period, edtf,
-                                   c.closed, c.note, c.extra_json)};
+    const store::ContextRow row{Saving(*this, provenance, "context", c.row.value, c.id)
+                                    .done("site trench number number_key kind excavated_on period "
+                                          "date_edtf closed note extra",
+                                          number,
+                                          {{"site", rowText(c.site.value)},
+                                           {"trench", rowText(c.trench.value)},
+                                           {"number", number},
+                                           {"kind", c.kind},
+                                           {"excavated_on", day},
+                                           {"period", c.period},
+                                           {"date_edtf", edtf},
+                                           {"closed", c.closed ? "1" : "0"},
+                                           {"note", c.note},
+                                           {"extra", c.extra_json}},
+                                          c.site, c.trench, number, key, c.kind, day, c.period,
+                                          edtf, c.closed, c.note, c.extra_json)};
     if (c.row) searchAnew(*database_, "row", row.value);
     return row;
   });
 }
 
-Result<std::vector<BagRecord>> Catalogue::bags() const {
-  return bags(ContextRow{});
+Result<std::vector<records::BagRecord>> Catalogue::bags() const {
+  return bags(store::ContextRow{});
 }
 
-Result<std::vector<BagRecord>> Catalogue::bags(ContextRow context) const {
+Result<std::vector<records::BagRecord>> Catalogue::bags(store::ContextRow context) const {
   return database_->door([&] {
-    std::vector<BagRecord> all;
-    Statement rows = database_->sql(
+    std::vector<records::BagRecord> all;
+    store::Statement rows = database_->sql(
         "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, (SELECT "
         "count(*) FROM sherd WHERE sherd.bag = bag.row AND sherd.state <> 'void'), ifnull((SELECT "
         "initials FROM person WHERE person.row = bag.created_by), '') FROM bag WHERE ?1 IS NULL OR "
         "context = ?1 ORDER BY context, number_key");
     rows.with(context);
     while (rows.next()) {
-      BagRecord b;
+      records::BagRecord b;
       rows >> b.row >> b.context >> b.id >> b.number >> b.collected_on >> b.storage >>
           b.count_written >> b.weight_g >> b.sherds >> b.entered_by;
       all.push_back(std::move(b));
@@ -339,19 +347,21 @@ Result<std::vector<BagRecord>> Catalogue::bags(ContextRow context) const {
   });
 }
 
-Result<BagRow> Catalogue::save(const BagRecord& b, const Provenance& provenance) {
+Result<store::BagRow> Catalogue::save(const records::BagRecord& b,
+                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = needed(b.number, "number of a bag"), key = uniqueKey(number);
-    if (!b.context) refuse("A bag needs a context.", number);
-    const std::string day = checked(checkedDay(b.collected_on), "collected_on");
+    const std::string number = needed(b.number, "number of a bag"), key = store::uniqueKey(number);
+    if (!b.context) store::refuse("A bag needs a context.", number);
+    const std::string day = checked(store::checkedDay(b.collected_on), "collected_on");
     if (b.weight_g && !(*b.weight_g > 0))
-      refuse("The weight of a bag must be greater than 0 g.", number);
-    if (b.count_written && *b.count_written < 0) refuse("A count cannot be less than 0.", number);
+      store::refuse("The weight of a bag must be greater than 0 g.", number);
+    if (b.count_written && *b.count_written < 0)
+      store::refuse("A count cannot be less than 0.", number);
     refuseDouble(
         std::move(database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?")
                       .with(b.context, key)),
         b.row.value, "The bag " + number + " already exists in this context.");
-    return BagRow{
+    return store::BagRow{
         Saving(*this, provenance, "bag", b.row.value, b.id)
             .done("context number number_key collected_on storage count_written weight_g", number,
                   {{"context", rowText(b.context.value)},

@@ -9,9 +9,10 @@ namespace ostraka::catalogue {
 namespace {
 
 template <class Row>
-std::map<Row, std::string> idsIn(Database& database, const char* query, BatchRow batch) {
+std::map<Row, std::string> idsIn(store::Database& database, const char* query,
+                                 store::BatchRow batch) {
   std::map<Row, std::string> ids;
-  Statement rows = database.sql(query);
+  store::Statement rows = database.sql(query);
   rows.with(batch);
   while (rows.next()) {
     Row row;
@@ -23,49 +24,53 @@ std::map<Row, std::string> idsIn(Database& database, const char* query, BatchRow
 }
 
 const std::string& wellFormed(const std::string& id) {
-  if (!isUuid(id)) refuse("A uuid of the export is not well formed.", id);
+  if (!store::isUuid(id)) store::refuse("A uuid of the export is not well formed.", id);
   return id;
 }
 
 }  // namespace
 
-Result<BatchIds> idsOf(const Catalogue& catalogue, BatchRow batch) {
-  Database& database = catalogue.database();
+Result<BatchIds> idsOf(const Catalogue& catalogue, store::BatchRow batch) {
+  store::Database& database = catalogue.database();
   return database.door([&] {
     return BatchIds{
-        idsIn<PhotographRow>(database, "SELECT row, id FROM photograph WHERE batch = ?", batch),
-        idsIn<ScanRow>(database, "SELECT row, id FROM scan WHERE batch = ?", batch),
-        idsIn<DecisionRow>(database, "SELECT row, id FROM pair_decision WHERE batch = ?", batch)};
+        idsIn<store::PhotographRow>(database, "SELECT row, id FROM photograph WHERE batch = ?",
+                                    batch),
+        idsIn<store::ScanRow>(database, "SELECT row, id FROM scan WHERE batch = ?", batch),
+        idsIn<store::DecisionRow>(database, "SELECT row, id FROM pair_decision WHERE batch = ?",
+                                  batch)};
   });
 }
 
-Result<PhotographRow> restorePhotograph(Catalogue& catalogue, const PhotographRecord& photograph,
-                                        const std::string& id, const Provenance& provenance) {
-  Database& database = catalogue.database();
+Result<store::PhotographRow> restorePhotograph(Catalogue& catalogue,
+                                               const records::PhotographRecord& photograph,
+                                               const std::string& id,
+                                               const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
   return database.inTransaction([&] {
-    const PhotographRow row = valueOrThrow(catalogue.save(photograph, provenance));
+    const store::PhotographRow row = valueOrThrow(catalogue.save(photograph, provenance));
     database.sql("UPDATE photograph SET id = ? WHERE row = ?").with(wellFormed(id), row).run();
     return row;
   });
 }
 
-Result<ScanRow> restoreScan(Catalogue& catalogue, const ScanRecord& scan, const std::string& id,
-                            const Provenance& provenance) {
-  Database& database = catalogue.database();
+Result<store::ScanRow> restoreScan(Catalogue& catalogue, const records::ScanRecord& scan,
+                                   const std::string& id, const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
   return database.inTransaction([&] {
-    const ScanRow row = valueOrThrow(catalogue.save(scan, provenance));
+    const store::ScanRow row = valueOrThrow(catalogue.save(scan, provenance));
     database.sql("UPDATE scan SET id = ?, state = ? WHERE row = ?")
-        .with(wellFormed(id), wordOf(scan.state), row)
+        .with(wellFormed(id), records::wordOf(scan.state), row)
         .run();
     return row;
   });
 }
 
-Result<std::vector<PieceRow>> pieceRows(const Catalogue& catalogue, BatchRow batch) {
-  Database& database = catalogue.database();
+Result<std::vector<PieceRow>> pieceRows(const Catalogue& catalogue, store::BatchRow batch) {
+  store::Database& database = catalogue.database();
   return database.door([&] {
     std::vector<PieceRow> all;
-    Statement rows = database.sql(
+    store::Statement rows = database.sql(
         "SELECT d.id, p.id, d.side, d.verdict, d.pieces, d.cut_mm, r.id, d.note, d.at FROM "
         "piece_decision d LEFT JOIN person p ON p.row = d.person LEFT JOIN piece_decision r ON "
         "r.row = d.replaces WHERE d.batch = ? ORDER BY d.row");
@@ -80,9 +85,9 @@ Result<std::vector<PieceRow>> pieceRows(const Catalogue& catalogue, BatchRow bat
   });
 }
 
-Result<void> restorePieceRow(Catalogue& catalogue, BatchRow batch, PersonRow by,
+Result<void> restorePieceRow(Catalogue& catalogue, store::BatchRow batch, store::PersonRow by,
                              const PieceRow& row) {
-  Database& database = catalogue.database();
+  store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     database
         .sql(
@@ -95,8 +100,9 @@ Result<void> restorePieceRow(Catalogue& catalogue, BatchRow batch, PersonRow by,
   });
 }
 
-Result<void> restoreScans(Catalogue& catalogue, SherdRow sherd, ScanRow front, ScanRow back) {
-  Database& database = catalogue.database();
+Result<void> restoreScans(Catalogue& catalogue, store::SherdRow sherd, store::ScanRow front,
+                          store::ScanRow back) {
+  store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     database.sql("UPDATE sherd SET front = ?, back = ? WHERE row = ?")
         .with(front, back, sherd)

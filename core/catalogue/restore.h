@@ -10,31 +10,35 @@ namespace ostraka::catalogue {
 
 /// The ids of a batch's rows.
 struct BatchIds {
-  std::map<PhotographRow, std::string> photographs;
-  std::map<ScanRow, std::string> scans;
-  std::map<DecisionRow, std::string> decisions;
+  std::map<store::PhotographRow, std::string> photographs;
+  std::map<store::ScanRow, std::string> scans;
+  std::map<store::DecisionRow, std::string> decisions;
 };
-Result<BatchIds> idsOf(const Catalogue& catalogue, BatchRow batch);
+Result<BatchIds> idsOf(const Catalogue& catalogue, store::BatchRow batch);
 
 /// As save() adds it, with the id that it had. Errors: as save(), an id that is there already.
-Result<PhotographRow> restorePhotograph(Catalogue& catalogue, const PhotographRecord& photograph,
-                                        const std::string& id, const Provenance& provenance);
+Result<store::PhotographRow> restorePhotograph(Catalogue& catalogue,
+                                               const records::PhotographRecord& photograph,
+                                               const std::string& id,
+                                               const records::Provenance& provenance);
 /// Likewise, with its state.
-Result<ScanRow> restoreScan(Catalogue& catalogue, const ScanRecord& scan, const std::string& id,
-                            const Provenance& provenance);
+Result<store::ScanRow> restoreScan(Catalogue& catalogue, const records::ScanRecord& scan,
+                                   const std::string& id, const records::Provenance& provenance);
 /// With its time and person; sherds and scans do not follow it.
-Result<DecisionRow> restoreDecision(Catalogue& catalogue, const PairDecision& decision,
-                                    const std::string& id);
+Result<store::DecisionRow> restoreDecision(Catalogue& catalogue,
+                                           const records::PairDecision& decision,
+                                           const std::string& id);
 /// A decision about pieces as its row says it, with ids in place of rows.
 struct PieceRow {
   std::string id, by, side, verdict, pieces_json, cut_json, replaces, note;
   std::int64_t at_ms = 0;
 };
-Result<std::vector<PieceRow>> pieceRows(const Catalogue& catalogue, BatchRow batch);
+Result<std::vector<PieceRow>> pieceRows(const Catalogue& catalogue, store::BatchRow batch);
 /// by: who that person is here.
-Result<void> restorePieceRow(Catalogue& catalogue, BatchRow batch, PersonRow by,
+Result<void> restorePieceRow(Catalogue& catalogue, store::BatchRow batch, store::PersonRow by,
                              const PieceRow& row);
 /// What a sherd was made from.
-Result<void> restoreScans(Catalogue& catalogue, SherdRow sherd, ScanRow front, ScanRow back);
+Result<void> restoreScans(Catalogue& catalogue, store::SherdRow sherd, store::ScanRow front,
+                          store::ScanRow back);
 
 }  // namespace ostraka::catalogue

@@ -17,12 +17,12 @@ constexpr double kMostMillimetres = 1000, kMostGrams = 20'000;
 
 // A change that was looked at: what the preview shows, and what is needed to do it.
 struct Examined {
-  ChangePreview shown;
+  records::ChangePreview shown;
   const SherdColumn* column = nullptr;  ///< null for the user's own fields
   double number = 0;
-  ContextRow context;  ///< of a place, once for all its parts
-  BagRow bag;
-  std::vector<SherdRow> joins;
+  store::ContextRow context;  ///< of a place, once for all its parts
+  store::BagRow bag;
+  std::vector<store::SherdRow> joins;
   std::optional<double> uncertainty = std::nullopt;  ///< of a measure typed as 12.5 ± 0.4; 0: none
   bool changes() const { return shown.old_value != shown.new_value; }
 };
@@ -32,130 +32,131 @@ class Examination {
   explicit Examination(const Catalogue& catalogue) : catalogue_(catalogue) {}
 
   /// All changes of one sherd, which are looked at together: the parts of a place belong together.
-  void sherd(const SherdRecord& sherd, std::vector<Examined*> changes) {
+  void sherd(const records::SherdRecord& sherd, std::vector<Examined*> changes) {
     bool place = false;
     for (Examined* change : changes) {
       try {
         one(sherd, *change);
-      } catch (const Refused& refused) {
+      } catch (const store::Refused& refused) {
         change->shown.refusal = refused.error.what;
       }
-      place |= change->column && change->column->field.kind == FieldKind::Place;
+      place |= change->column && change->column->field.kind == records::FieldKind::Place;
     }
     askAboutMeasures(sherd, changes);
     if (!place) return;
     try {
       placeOf(sherd, changes);
-    } catch (const Refused& refused) {
+    } catch (const store::Refused& refused) {
       for (Examined* change : changes)
-        if (change->column && change->column->field.kind == FieldKind::Place)
+        if (change->column && change->column->field.kind == records::FieldKind::Place)
           change->shown.refusal = refused.error.what;
     }
   }
 
  private:
-  void one(const SherdRecord& sherd, Examined& change) {
+  void one(const records::SherdRecord& sherd, Examined& change) {
     const std::string& field = change.shown.change.field;
     const std::string& typed = change.shown.change.value;
-    change.shown.old_value = textOf(sherd, field);
+    change.shown.old_value = records::textOf(sherd, field);
     std::string& value = change.shown.new_value;
-    value = valueOrThrow(checkedText(typed));
+    value = valueOrThrow(store::checkedText(typed));
     if (field.starts_with("extra.") && field.size() > 6) return;
     change.column = sherdColumn(field);
-    if (!change.column) refuse("There is no field '" + field + "'.");
-    const SherdField& known = change.column->field;
-    if (!known.editable) refuse("The field " + field + " is read-only: the program sets it.");
+    if (!change.column) store::refuse("There is no field '" + field + "'.");
+    const records::SherdField& known = change.column->field;
+    if (!known.editable)
+      store::refuse("The field " + field + " is read-only: the program sets it.");
     switch (known.kind) {
-      case FieldKind::Text:
+      case records::FieldKind::Text:
         if (field == "number") number(sherd, change);
         break;
-      case FieldKind::Term:
+      case records::FieldKind::Term:
         if (!value.empty()) value = term(known.vocabulary, value);
         break;
-      case FieldKind::Terms:
+      case records::FieldKind::Terms:
         terms(known.vocabulary, value);
         break;
-      case FieldKind::Munsell:
-        value = valueOrThrow(checkedMunsell(value));
+      case records::FieldKind::Munsell:
+        value = valueOrThrow(store::checkedMunsell(value));
         break;
-      case FieldKind::Edtf:
-        value = valueOrThrow(checkedEdtf(value));
+      case records::FieldKind::Edtf:
+        value = valueOrThrow(store::checkedEdtf(value));
         break;
-      case FieldKind::Day:
-        value = valueOrThrow(checkedDay(value));
+      case records::FieldKind::Day:
+        value = valueOrThrow(store::checkedDay(value));
         break;
-      case FieldKind::Number:
+      case records::FieldKind::Number:
         if (!value.empty()) measure(sherd.row, change);
         break;
-      case FieldKind::Place:
+      case records::FieldKind::Place:
         break;  // together with the sherd's other changes
-      case FieldKind::Joins:
+      case records::FieldKind::Joins:
         joins(sherd, change);
         break;
     }
   }
 
-  void number(const SherdRecord& sherd, Examined& change) {
+  void number(const records::SherdRecord& sherd, Examined& change) {
     const std::string& value = change.shown.new_value;
-    if (sherd.state == SherdState::Void && value != sherd.number)
-      refuse("A void sherd keeps its number.");
+    if (sherd.state == records::SherdState::Void && value != sherd.number)
+      store::refuse("A void sherd keeps its number.");
     if (value.empty() || value == sherd.number) return;
     if (value.find_first_of("\r\n\t%") != std::string::npos)
-      refuse("A number cannot contain a line break, a tab or '%'.");
-    if (value.size() > 120) refuse("A number has at most 120 characters.");
+      store::refuse("A number cannot contain a line break, a tab or '%'.");
+    if (value.size() > 120) store::refuse("A number has at most 120 characters.");
     const Taken taken = takenBy(catalogue_.database(), value);
-    const std::string key = uniqueKey(value);
+    const std::string key = store::uniqueKey(value);
     const auto [earlier, first] = numbers_.emplace(key, sherd.row);
     if (!first && earlier->second != sherd.row)
-      refuse("The number " + value + " would be assigned twice.");
+      store::refuse("The number " + value + " would be assigned twice.");
     if (!taken.sherd) return notOnAPlate(sherd, value);
     if (taken.sherd == sherd.row && !taken.slug_only) return;
     change.shown.in_the_way = taken.sherd;
-    const Result<SherdRecord> other = catalogue_.sherd(taken.sherd);
+    const Result<records::SherdRecord> other = catalogue_.sherd(taken.sherd);
     if (taken.slug_only)
-      refuse("The files of " + value + " would have the same names as those of " + taken.number +
-             ".");
+      store::refuse("The files of " + value + " would have the same names as those of " +
+                    taken.number + ".");
     if (other && other->number != taken.number)
-      refuse("The number " + value + " was assigned before and is never reused.");
-    refuse("The number " + value + " belongs to another sherd.");
+      store::refuse("The number " + value + " was assigned before and is never reused.");
+    store::refuse("The number " + value + " belongs to another sherd.");
   }
 
   // Else it would be written on two sherds.
-  void notOnAPlate(const SherdRecord& sherd, const std::string& number) {
+  void notOnAPlate(const records::SherdRecord& sherd, const std::string& number) {
     if (!waiting_) waiting_ = typedAndWaiting(catalogue_);
-    const auto plate = waiting_->find(uniqueKey(number));
+    const auto plate = waiting_->find(store::uniqueKey(number));
     if (plate != waiting_->end() && plate->second != sherd.batch_number)
-      refuse("The number " + number + " was entered for a sherd of " + plate->second +
-             ", which is not processed yet.");
+      store::refuse("The number " + number + " was entered for a sherd of " + plate->second +
+                    ", which is not processed yet.");
   }
 
   // The term itself, also when a label of another language or capitals were typed.
   std::string term(const std::string& vocabulary, const std::string& typed) {
     auto& known = vocabularies_[vocabulary];
     if (known.empty())
-      for (const Term& entry : valueOrThrow(catalogue_.vocabulary(vocabulary))) {
-        known.emplace(uniqueKey(entry.term), entry.term);
+      for (const records::Term& entry : valueOrThrow(catalogue_.vocabulary(vocabulary))) {
+        known.emplace(store::uniqueKey(entry.term), entry.term);
         for (const auto& [language, label] : entry.labels)
-          known.emplace(uniqueKey(label), entry.term);
+          known.emplace(store::uniqueKey(label), entry.term);
       }
-    const auto found = known.find(uniqueKey(typed));
+    const auto found = known.find(store::uniqueKey(typed));
     if (found != known.end()) return found->second;
-    refuse("'" + typed + "' is not a term of the vocabulary '" + vocabulary +
-           "'; choose another or add it in the settings.");
+    store::refuse("'" + typed + "' is not a term of the vocabulary '" + vocabulary +
+                  "'; choose another or add it in the settings.");
   }
 
   void terms(const std::string& vocabulary, std::string& value) {
     std::vector<std::string> canonical;
-    for (const std::string& typed : splitTerms(value)) {
+    for (const std::string& typed : store::splitTerms(value)) {
       std::string known = term(vocabulary, typed);
       if (std::find(canonical.begin(), canonical.end(), known) == canonical.end())
         canonical.push_back(std::move(known));
     }
-    value = joinTerms(canonical);
+    value = store::joinTerms(canonical);
   }
 
-  void measure(SherdRow sherd, Examined& change) {
-    const std::string unit = unitOf(change.column->measure);
+  void measure(store::SherdRow sherd, Examined& change) {
+    const std::string unit = records::unitOf(change.column->measure);
     std::string value = change.shown.new_value;
     std::optional<std::string> half;
     for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
@@ -164,35 +165,35 @@ class Examination {
         value.resize(at);
         break;
       }
-    change.number = valueOrThrow(parsedNumber(value));
-    if (half) change.uncertainty = valueOrThrow(parsedNumber(*half));
+    change.number = valueOrThrow(store::parsedNumber(value));
+    if (half) change.uncertainty = valueOrThrow(store::parsedNumber(*half));
     if (change.uncertainty.value_or(0) < 0)
-      refuse("Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.");
-    if (!(change.number > 0)) refuse("Enter a value greater than 0.");
+      store::refuse("Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.");
+    if (!(change.number > 0)) store::refuse("Enter a value greater than 0.");
     if (unit == "mm" && change.number > kMostMillimetres)
-      refuse("No sherd is larger than 1000 mm; check that the value is in millimetres.");
+      store::refuse("No sherd is larger than 1000 mm; check that the value is in millimetres.");
     if (unit == "g" && change.number > kMostGrams)
-      refuse("No sherd is heavier than 20 kg; check that the value is in grams.");
-    if (unit == "pct" && change.number > 100) refuse("A share cannot exceed 100 %.");
-    change.shown.new_value = numberText(change.number);
+      store::refuse("No sherd is heavier than 20 kg; check that the value is in grams.");
+    if (unit == "pct" && change.number > 100) store::refuse("A share cannot exceed 100 %.");
+    change.shown.new_value = store::numberText(change.number);
     if (change.uncertainty) showUncertainty(sherd, change);
   }
 
   // Where it becomes another; so it is a change of a value that stays, too.
-  void showUncertainty(SherdRow sherd, Examined& change) {
+  void showUncertainty(store::SherdRow sherd, Examined& change) {
     double old = 0;
-    for (const Measurement& m : valueOrThrow(catalogue_.measurements(sherd)))
+    for (const records::Measurement& m : valueOrThrow(catalogue_.measurements(sherd)))
       if (m.kind == change.column->measure) old = m.uncertainty.value_or(0);
     if (old == *change.uncertainty) return;
     const bool stays = change.shown.old_value == change.shown.new_value;
-    if (old > 0 || stays) change.shown.old_value += " ± " + numberText(old);
+    if (old > 0 || stays) change.shown.old_value += " ± " + store::numberText(old);
     if (*change.uncertainty > 0 || stays)
-      change.shown.new_value += " ± " + numberText(*change.uncertainty);
+      change.shown.new_value += " ± " + store::numberText(*change.uncertainty);
   }
 
   // Together: a length and a width that change at once are compared with each other.
-  void askAboutMeasures(const SherdRecord& sherd, const std::vector<Examined*>& changes) {
-    MeasureValues measured = sherd.measures;
+  void askAboutMeasures(const records::SherdRecord& sherd, const std::vector<Examined*>& changes) {
+    records::MeasureValues measured = sherd.measures;
     std::vector<std::string> kinds;
     for (const Examined* change : changes) {
       if (!change->column || !change->column->measure || !change->shown.refusal.empty()) continue;
@@ -210,83 +211,85 @@ class Examination {
           !change->shown.refusal.empty())
         continue;
       const std::string kind = change->column->measure;
-      std::vector<MeasureFinding>& findings = change->shown.findings;
+      std::vector<records::MeasureFinding>& findings = change->shown.findings;
       const bool deletes = change->shown.new_value.empty();
       // To take the computed value again needs no reason.
       if (!deletes && computed.values.contains(kind) && !computed.current.contains(kind) &&
           computed.values.at(kind) == change->number)
         continue;
-      findings = implausible({kind}, measured, computed.values);
+      findings = records::implausible({kind}, measured, computed.values);
       if (computed.current.contains(kind))
-        findings.push_back(
-            {deletes ? MeasureDoubt::DeletesComputed : MeasureDoubt::ReplacesComputed,
-             kind,
-             change->number,
-             {},
-             computed.values.at(kind)});
-      for (const MeasureFinding& finding : findings)
-        change->shown.question += (change->shown.question.empty() ? "" : " ") + sentenceOf(finding);
+        findings.push_back({deletes ? records::MeasureDoubt::DeletesComputed
+                                    : records::MeasureDoubt::ReplacesComputed,
+                            kind,
+                            change->number,
+                            {},
+                            computed.values.at(kind)});
+      for (const records::MeasureFinding& finding : findings)
+        change->shown.question +=
+            (change->shown.question.empty() ? "" : " ") + records::sentenceOf(finding);
     }
   }
 
-  void joins(const SherdRecord& sherd, Examined& change) {
+  void joins(const records::SherdRecord& sherd, Examined& change) {
     std::vector<std::string> numbers;
-    for (const std::string& typed : splitTerms(change.shown.new_value)) {
-      SherdRow other = valueOrThrow(catalogue_.sherdByNumber(typed));
+    for (const std::string& typed : store::splitTerms(change.shown.new_value)) {
+      store::SherdRow other = valueOrThrow(catalogue_.sherdByNumber(typed));
       if (!other) other = valueOrThrow(catalogue_.sherdById(typed));
-      if (!other) refuse("There is no sherd " + typed + " to join.");
-      if (other == sherd.row) refuse("A sherd cannot join itself.");
+      if (!other) store::refuse("There is no sherd " + typed + " to join.");
+      if (other == sherd.row) store::refuse("A sherd cannot join itself.");
       change.joins.push_back(other);
     }
     std::sort(change.joins.begin(), change.joins.end());
     change.joins.erase(std::unique(change.joins.begin(), change.joins.end()), change.joins.end());
     std::vector<std::pair<std::string, std::string>> sorted;
-    for (const SherdRecord& other : valueOrThrow(catalogue_.sherds(change.joins))) {
+    for (const records::SherdRecord& other : valueOrThrow(catalogue_.sherds(change.joins))) {
       const std::string& name = other.number.empty() ? other.id : other.number;
-      sorted.emplace_back(sortKey(name), name);
+      sorted.emplace_back(store::sortKey(name), name);
     }
     std::sort(sorted.begin(), sorted.end());
     for (auto& [key, name] : sorted) numbers.push_back(name);
-    change.shown.new_value = joinTerms(numbers);
+    change.shown.new_value = store::joinTerms(numbers);
   }
 
   // Site, trench, context and bag as they would be, found in the catalogue.
-  void placeOf(const SherdRecord& sherd, const std::vector<Examined*>& changes) {
+  void placeOf(const records::SherdRecord& sherd, const std::vector<Examined*>& changes) {
     std::map<std::string, std::string> wanted = {{"site", sherd.site},
                                                  {"trench", sherd.trench},
                                                  {"context", sherd.context_number},
                                                  {"bag", sherd.bag_number}};
     for (const Examined* change : changes)
-      if (change->column && change->column->field.kind == FieldKind::Place)
+      if (change->column && change->column->field.kind == records::FieldKind::Place)
         wanted[change->shown.change.field] = change->shown.new_value;
-    ContextRow context;
-    BagRow bag;
+    store::ContextRow context;
+    store::BagRow bag;
     if (!wanted["context"].empty()) {
       if (wanted["site"].empty())
-        refuse("The context " + wanted["context"] + " needs its site; enter both.");
+        store::refuse("The context " + wanted["context"] + " needs its site; enter both.");
       context = valueOrThrow(
           catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
       if (!context)
-        refuse("There is no context " + wanted["context"] + " in " + wanted["site"] +
-               (wanted["trench"].empty() ? "" : " " + wanted["trench"]) + "; add it first.");
-    } else if (sherd.state == SherdState::Numbered && !losesNumber(changes)) {
-      refuse("A numbered sherd needs its context.");
+        store::refuse("There is no context " + wanted["context"] + " in " + wanted["site"] +
+                      (wanted["trench"].empty() ? "" : " " + wanted["trench"]) + "; add it first.");
+    } else if (sherd.state == records::SherdState::Numbered && !losesNumber(changes)) {
+      store::refuse("A numbered sherd needs its context.");
     }
     if (!wanted["bag"].empty()) {
-      Statement rows =
+      store::Statement rows =
           catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
-      if (!rows.with(context, uniqueKey(wanted["bag"])).next())
-        refuse(!context ? "A bag belongs to a context; enter the context first."
-               : wanted["bag"] == sherd.bag_number
-                   ? "Context " + wanted["context"] + " has no bag " + wanted["bag"] +
-                         "; change or empty the bag at the same time."
-                   : "There is no bag " + wanted["bag"] + " in context " + wanted["context"] +
-                         " yet; enter it during capture or import a table of contexts that "
-                         "contains it.");
+      if (!rows.with(context, store::uniqueKey(wanted["bag"])).next())
+        store::refuse(!context ? "A bag belongs to a context; enter the context first."
+                      : wanted["bag"] == sherd.bag_number
+                          ? "Context " + wanted["context"] + " has no bag " + wanted["bag"] +
+                                "; change or empty the bag at the same time."
+                          : "There is no bag " + wanted["bag"] + " in context " +
+                                wanted["context"] +
+                                " yet; enter it during capture or import a table of contexts that "
+                                "contains it.");
       rows >> bag;
     }
     for (Examined* change : changes)
-      if (change->column && change->column->field.kind == FieldKind::Place) {
+      if (change->column && change->column->field.kind == records::FieldKind::Place) {
         change->context = context;
         change->bag = bag;
         if (context && !change->shown.new_value.empty()) canonical(*change);
@@ -295,14 +298,14 @@ class Examination {
 
   // The codes as the catalogue writes them, so that arm1 for ARM1 is no change.
   void canonical(Examined& change) {
-    const ContextRecord place = valueOrThrow(catalogue_.context(change.context));
+    const records::ContextRecord place = valueOrThrow(catalogue_.context(change.context));
     std::string& value = change.shown.new_value;
     const std::string& field = change.shown.change.field;
     if (field == "site") value = place.site_code;
     if (field == "trench") value = place.trench_code;
     if (field == "context") value = place.number;
     if (field != "bag") return;
-    Statement number = catalogue_.database().sql("SELECT number FROM bag WHERE row = ?");
+    store::Statement number = catalogue_.database().sql("SELECT number FROM bag WHERE row = ?");
     if (number.with(change.bag).next()) number >> value;
   }
 
@@ -314,19 +317,19 @@ class Examination {
 
   const Catalogue& catalogue_;
   std::map<std::string, std::map<std::string, std::string>> vocabularies_;
-  std::map<std::string, SherdRow> numbers_;
+  std::map<std::string, store::SherdRow> numbers_;
   std::optional<std::map<std::string, std::string>>
       waiting_;  ///< on plates, once they are asked for
 };
 
 struct Batch {
   std::vector<Examined> changes;
-  std::map<std::int64_t, SherdRecord> sherds;
+  std::map<std::int64_t, records::SherdRecord> sherds;
 };
 
-Batch examine(const Catalogue& catalogue, std::span<const FieldChange> wanted) {
+Batch examine(const Catalogue& catalogue, std::span<const records::FieldChange> wanted) {
   Batch all;
-  std::vector<SherdRow> rows;
+  std::vector<store::SherdRow> rows;
   std::map<std::int64_t, std::vector<std::size_t>> by_sherd;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     all.changes.push_back({{wanted[i], {}, {}, {}, {}}, nullptr, 0, {}, {}, {}});
@@ -335,7 +338,7 @@ Batch examine(const Catalogue& catalogue, std::span<const FieldChange> wanted) {
     of_sherd.push_back(i);
   }
   Examination examination(catalogue);
-  for (SherdRecord& sherd : valueOrThrow(catalogue.sherds(rows))) {
+  for (records::SherdRecord& sherd : valueOrThrow(catalogue.sherds(rows))) {
     std::vector<Examined*> of_sherd;
     for (const std::size_t i : by_sherd[sherd.row.value]) of_sherd.push_back(&all.changes[i]);
     examination.sherd(sherd, of_sherd);
@@ -344,10 +347,11 @@ Batch examine(const Catalogue& catalogue, std::span<const FieldChange> wanted) {
   return all;
 }
 
-void setJoins(Catalogue& catalogue, SherdRow sherd, const std::vector<SherdRow>& joins) {
-  Database& database = catalogue.database();
+void setJoins(Catalogue& catalogue, store::SherdRow sherd,
+              const std::vector<store::SherdRow>& joins) {
+  store::Database& database = catalogue.database();
   database.sql("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1").with(sherd).run();
-  for (const SherdRow& other : joins) {
+  for (const store::SherdRow& other : joins) {
     database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(sherd, other).run();
     database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(other, sherd).run();
   }
@@ -358,12 +362,12 @@ std::string methodOf(const std::string& kind) {
   return kind.starts_with("rim_") ? "estimate" : "calliper";
 }
 
-void setExtra(Catalogue& catalogue, SherdRow sherd, const std::string& name,
+void setExtra(Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
               const std::string& value) {
-  Database& database = catalogue.database();
+  store::Database& database = catalogue.database();
   std::string text;
   {
-    Statement row = database.sql("SELECT extra FROM sherd WHERE row = ?");
+    store::Statement row = database.sql("SELECT extra FROM sherd WHERE row = ?");
     if (row.with(sherd).next()) row >> text;
   }
   nlohmann::ordered_json extra = orderedJsonOrDiscarded(text);
@@ -379,7 +383,7 @@ void setExtra(Catalogue& catalogue, SherdRow sherd, const std::string& name,
 // context.
 int turnOf(const Examined& change) {
   if (!change.column) return 2;
-  if (change.column->field.kind == FieldKind::Place) return 1;
+  if (change.column->field.kind == records::FieldKind::Place) return 1;
   return std::string_view(change.column->field.name) == "number" && change.shown.new_value.empty()
              ? 0
              : 2;
@@ -388,10 +392,10 @@ int turnOf(const Examined& change) {
 // Columns that are set together, in one statement for each sherd.
 using Plain = std::vector<std::pair<std::string, std::string>>;
 
-void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Plain& plain,
-           const Provenance& provenance) {
-  Database& database = catalogue.database();
-  const SherdRow row = sherd.row;
+void apply(Catalogue& catalogue, const Examined& change, records::SherdRecord& sherd, Plain& plain,
+           const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
+  const store::SherdRow row = sherd.row;
   const std::string& field = change.shown.change.field;
   const std::string& value = change.shown.new_value;
   if (!change.column) {
@@ -406,9 +410,9 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
           {row, kind, {}, change.number, change.uncertainty, methodOf(kind), provenance.person, {}},
           provenance);
     return;  // its history is written with the measurement
-  } else if (change.column->field.kind == FieldKind::Joins) {
+  } else if (change.column->field.kind == records::FieldKind::Joins) {
     setJoins(catalogue, row, change.joins);
-  } else if (change.column->field.kind == FieldKind::Place) {
+  } else if (change.column->field.kind == records::FieldKind::Place) {
     if (sherd.context != change.context || sherd.bag != change.bag)
       database.sql("UPDATE sherd SET context = ?, bag = ? WHERE row = ?")
           .with(change.context, change.bag, row)
@@ -417,7 +421,7 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
     sherd.bag = change.bag;
   } else if (field == "number") {
     if (!value.empty() && !sherd.context)
-      refuse("A sherd needs its context before it gets a number.", value);
+      store::refuse("A sherd needs its context before it gets a number.", value);
     setNumber(catalogue, valueOrThrow(catalogue.sherd(row)), value);
     sherd.number = value;
   } else if (field == "void_reason") {
@@ -426,16 +430,17 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
         .with(value, state, row)
         .run();
   } else {
-    plain.emplace_back(field, change.column->terms ? termsJson(splitTerms(value)) : value);
+    plain.emplace_back(field,
+                       change.column->terms ? store::termsJson(store::splitTerms(value)) : value);
   }
   remember(catalogue, provenance, "sherd", row.value, field, change.shown.old_value, value);
 }
 
-void finish(Catalogue& catalogue, SherdRow sherd, const Plain& plain,
-            const Provenance& provenance) {
+void finish(Catalogue& catalogue, store::SherdRow sherd, const Plain& plain,
+            const records::Provenance& provenance) {
   std::string pairs;
   for (const auto& [column, value] : plain) pairs += column + " = ?, ";
-  Statement update = catalogue.database().sql(
+  store::Statement update = catalogue.database().sql(
       "UPDATE sherd SET " + pairs +
       "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?");
   for (const auto& [column, value] : plain) update.with(value);
@@ -445,40 +450,42 @@ void finish(Catalogue& catalogue, SherdRow sherd, const Plain& plain,
 
 }  // namespace
 
-Result<std::vector<ChangePreview>> Catalogue::preview(std::span<const FieldChange> wanted) const {
+Result<std::vector<records::ChangePreview>> Catalogue::preview(
+    std::span<const records::FieldChange> wanted) const {
   return database_->door([&] {
-    std::vector<ChangePreview> shown;
+    std::vector<records::ChangePreview> shown;
     for (Examined& change : examine(*this, wanted).changes)
       shown.push_back(std::move(change.shown));
     return shown;
   });
 }
 
-Result<std::vector<FieldChange>> Catalogue::change(std::span<const FieldChange> wanted,
-                                                   const Provenance& provenance) {
+Result<std::vector<records::FieldChange>> Catalogue::change(
+    std::span<const records::FieldChange> wanted, const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     Batch all = examine(*this, wanted);
     for (const Examined& change : all.changes)
       if (!change.shown.refusal.empty()) {
-        const SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
-        refuse(change.shown.refusal, sherd.number.empty() ? std::string() : sherd.number);
+        const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+        store::refuse(change.shown.refusal, sherd.number.empty() ? std::string() : sherd.number);
       }
     for (const Examined& change : all.changes)
       if (change.shown.asks()) {
-        const SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
-        refuse(change.shown.question, sherd.number);
+        const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+        store::refuse(change.shown.question, sherd.number);
       }
-    std::vector<FieldChange> undo;
+    std::vector<records::FieldChange> undo;
     std::map<std::int64_t, Plain> touched;
     for (const int turn : {0, 1, 2})
       for (const Examined& change : all.changes) {
         if (!change.changes() || turnOf(change) != turn) continue;
-        const FieldChange& asked = change.shown.change;
+        const records::FieldChange& asked = change.shown.change;
         apply(*this, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value],
               provenance);
-        undo.push_back({asked.sherd, asked.field, change.shown.old_value, Confirmation::Given});
+        undo.push_back(
+            {asked.sherd, asked.field, change.shown.old_value, records::Confirmation::Given});
       }
-    for (const auto& [row, plain] : touched) finish(*this, SherdRow{row}, plain, provenance);
+    for (const auto& [row, plain] : touched) finish(*this, store::SherdRow{row}, plain, provenance);
     std::reverse(undo.begin(), undo.end());
     return undo;
   });

@@ -13,9 +13,9 @@ namespace ostraka::catalogue {
 
 /// For the files of this folder: where a field of a sherd lives.
 struct SherdColumn {
-  SherdField field;
-  std::string SherdRecord::*text = nullptr;
-  std::vector<std::string> SherdRecord::*terms = nullptr;
+  records::SherdField field;
+  std::string records::SherdRecord::*text = nullptr;
+  std::vector<std::string> records::SherdRecord::*terms = nullptr;
   const char* measure = nullptr;  ///< its kind, and its column in sherd_measure
   const char* sql = nullptr;      ///< what it is compared and ordered by
 };
@@ -24,7 +24,7 @@ const std::vector<SherdColumn>& sherdColumns();
 const SherdColumn* sherdColumn(const std::string& name);
 
 /// Rows as one JSON array, so that a page is one query.
-std::string rowsJson(std::span<const SherdRow> rows);
+std::string rowsJson(std::span<const store::SherdRow> rows);
 
 /// Sorts drafts, which have no number, behind all numbers.
 inline constexpr const char* kBehindAllNumbers = "\xF4\x8F\xBF\xBF";
@@ -39,17 +39,17 @@ inline constexpr const char* kDoubtfulScale = "doubtful";
 /// The sherd that this number was ever given to; none when it is free. `slug_only`: the number
 /// differs, but its files would have the same name.
 struct Taken {
-  SherdRow sherd;
+  store::SherdRow sherd;
   std::string number;
   bool slug_only = false;
 };
-Taken takenBy(Database& database, const std::string& number);
+Taken takenBy(store::Database& database, const std::string& number);
 /// Writes number, state and sort key of the sherd, and that the number is given. Throws Refused.
-void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string& number);
+void setNumber(Catalogue& catalogue, const records::SherdRecord& sherd, const std::string& number);
 
 /// Values of the numbering scheme's tokens for a sherd, by its codes of places and batch.
 std::map<std::string, std::string> numberTokens(const Catalogue& catalogue,
-                                                const SherdRecord& sherd);
+                                                const records::SherdRecord& sherd);
 
 /// Settings with the numbers typed on plates: this and the batch's number.
 inline constexpr const char* kTypedNumbers = "typed_numbers.";
@@ -70,34 +70,36 @@ struct ComputedMeasures {
   std::map<std::string, double> values;
   std::set<std::string> current;
 };
-ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd);
-void setMeasure(Catalogue& catalogue, const Measurement& measurement, const Provenance& provenance,
-                MeasureRank rank);
+ComputedMeasures computedMeasures(const Catalogue& catalogue, store::SherdRow sherd);
+void setMeasure(Catalogue& catalogue, const records::Measurement& measurement,
+                const records::Provenance& provenance, MeasureRank rank);
 /// A value typed by the person of `provenance`. Its uncertainty: 0 says that there is none; without
 /// one the value has what it had when it was typed last.
-void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Provenance& provenance);
+void typeMeasure(Catalogue& catalogue, const records::Measurement& typed,
+                 const records::Provenance& provenance);
 /// Nothing counts any more; old rows stay.
-void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
-                  const Provenance& provenance);
+void clearMeasure(Catalogue& catalogue, store::SherdRow sherd, const std::string& kind,
+                  const records::Provenance& provenance);
 
 /// Lets the draft sherds of a batch, and the scans' states, follow the decisions that count.
-void settleSherds(Catalogue& catalogue, BatchRow batch, const Provenance& provenance);
+void settleSherds(Catalogue& catalogue, store::BatchRow batch,
+                  const records::Provenance& provenance);
 
 /// As the search has them: with one i, dotted or not (see searched()).
 inline constexpr const char* kSearchedWords = "replace(replace(words, 'İ', 'i'), 'ı', 'i')";
 /// A word as it is searched for: İ and ı are i, I is folded by the index.
 std::string searched(std::string word);
 /// The search finds the sherd by what it says now.
-void searchAnew(Database& database, SherdRow sherd);
+void searchAnew(store::Database& database, store::SherdRow sherd);
 
 /// A value, or Refused with its error.
 template <class T>
 T valueOrThrow(Result<T> result) {
-  if (!result) throw Refused(result.error());
+  if (!result) throw store::Refused(result.error());
   return std::move(*result);
 }
 inline void valueOrThrow(const Result<void>& result) {
-  if (!result) throw Refused(result.error());
+  if (!result) throw store::Refused(result.error());
 }
 
 }  // namespace ostraka::catalogue

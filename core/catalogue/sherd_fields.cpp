@@ -8,26 +8,26 @@
 namespace ostraka::catalogue {
 namespace {
 
-using S = SherdRecord;
+using S = records::SherdRecord;
 
-SherdColumn text(const char* name, FieldKind kind, std::string S::*member, const char* sql,
+SherdColumn text(const char* name, records::FieldKind kind, std::string S::*member, const char* sql,
                  bool editable = true, const char* vocabulary = "") {
   return {{name, kind, vocabulary, editable}, member, nullptr, nullptr, sql};
 }
 
 SherdColumn terms(const char* name, std::vector<std::string> S::*member, const char* sql,
                   const char* vocabulary) {
-  return {{name, FieldKind::Terms, vocabulary, true}, nullptr, member, nullptr, sql};
+  return {{name, records::FieldKind::Terms, vocabulary, true}, nullptr, member, nullptr, sql};
 }
 
 SherdColumn measure(const char* name, const char* kind, const char* sql, bool editable) {
-  return {{name, FieldKind::Number, "", editable}, nullptr, nullptr, kind, sql};
+  return {{name, records::FieldKind::Number, "", editable}, nullptr, nullptr, kind, sql};
 }
 
 }  // namespace
 
 const std::vector<SherdColumn>& sherdColumns() {
-  using K = FieldKind;
+  using K = records::FieldKind;
   static const std::vector<SherdColumn> all = {
       text("number", K::Text, &S::number, "s.number_sort"),
       text("uuid", K::Text, &S::id, "s.id", false),
@@ -74,10 +74,10 @@ const std::vector<SherdColumn>& sherdColumns() {
 const SherdColumn* sherdColumn(const std::string& name) {
   for (const SherdColumn& column : sherdColumns())
     if (name == column.field.name || (column.measure && name == column.measure)) return &column;
-  static const SherdColumn end =
-      text(kLabelEnd, FieldKind::Text, nullptr, "substr(replace(s.id, '-', ''), -8)", false);
+  static const SherdColumn end = text(kLabelEnd, records::FieldKind::Text, nullptr,
+                                      "substr(replace(s.id, '-', ''), -8)", false);
   static const SherdColumn place =
-      text(kLabelPlace, FieldKind::Text, nullptr,
+      text(kLabelPlace, records::FieldKind::Text, nullptr,
            "(SELECT batch.number || printf('-%02d', scan.position) FROM scan JOIN batch ON "
            "batch.row = scan.batch WHERE scan.row = s.front)",
            false);
@@ -86,16 +86,16 @@ const SherdColumn* sherdColumn(const std::string& name) {
   return name == "thickness" ? sherdColumn("thickness_mean_mm") : nullptr;
 }
 
-const std::vector<SherdField>& sherdFields() {
-  static const std::vector<SherdField> all = [] {
-    std::vector<SherdField> fields;
+const std::vector<records::SherdField>& records::sherdFields() {
+  static const std::vector<records::SherdField> all = [] {
+    std::vector<records::SherdField> fields;
     for (const SherdColumn& column : sherdColumns()) fields.push_back(column.field);
     return fields;
   }();
   return all;
 }
 
-std::string textOf(const SherdRecord& sherd, const std::string& field) {
+std::string textOf(const records::SherdRecord& sherd, const std::string& field) {
   if (field.starts_with("extra.")) {
     const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
     const auto found = extra.is_object() ? extra.find(field.substr(6)) : extra.end();
@@ -105,14 +105,14 @@ std::string textOf(const SherdRecord& sherd, const std::string& field) {
   const SherdColumn* column = sherdColumn(field);
   if (!column) return {};
   if (column->text) return sherd.*column->text;
-  if (column->terms) return joinTerms(sherd.*column->terms);
+  if (column->terms) return store::joinTerms(sherd.*column->terms);
   if (column->measure) {
     const auto value = sherd.measures.find(column->measure);
-    return value == sherd.measures.end() ? std::string() : numberText(value->second);
+    return value == sherd.measures.end() ? std::string() : store::numberText(value->second);
   }
-  if (field == "state") return wordOf(sherd.state);
+  if (field == "state") return records::wordOf(sherd.state);
   if (field == "scale") return sherd.scale_doubtful ? kDoubtfulScale : "";
-  if (field == "joins") return joinTerms(sherd.join_numbers);
+  if (field == "joins") return store::joinTerms(sherd.join_numbers);
   return {};
 }
 

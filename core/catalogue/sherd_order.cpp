@@ -16,12 +16,12 @@ constexpr int kNotRecorded = -1;
 struct Values {
   std::vector<int> of_row;
   int count = 0;
-  void set(SherdRow row, int value) {
+  void set(store::SherdRow row, int value) {
     const auto at = static_cast<std::size_t>(row.value);
     if (at >= of_row.size()) of_row.resize(std::max(at + 1, 2 * of_row.size()), kNotRecorded);
     of_row[at] = value;
   }
-  int of(SherdRow row) const {
+  int of(store::SherdRow row) const {
     const auto at = static_cast<std::size_t>(row.value);
     return at < of_row.size() ? of_row[at] : kNotRecorded;
   }
@@ -29,12 +29,12 @@ struct Values {
 
 // value, row in the order of the value: equal ones follow each other.
 template <class Value>
-Values sweep(Database& database, const std::string& query) {
+Values sweep(store::Database& database, const std::string& query) {
   Values values;
-  Statement rows = database.sql(query);
+  store::Statement rows = database.sql(query);
   Value value{}, before{};
   while (rows.next()) {
-    SherdRow row;
+    store::SherdRow row;
     rows >> value >> row;
     if (values.count == 0 || value != before) {
       before = value;
@@ -46,10 +46,11 @@ Values sweep(Database& database, const std::string& query) {
 }
 
 // A sherd's context, bag or batch has the value, which several of them may share.
-Values sweepThrough(Database& database, const std::string& reference, const std::string& keys) {
+Values sweepThrough(store::Database& database, const std::string& reference,
+                    const std::string& keys) {
   std::map<std::string, std::vector<std::int64_t>> rows_by_key;
   {
-    Statement rows = database.sql(keys);
+    store::Statement rows = database.sql(keys);
     while (rows.next()) {
       std::int64_t row = 0;
       std::string key;
@@ -65,13 +66,13 @@ Values sweepThrough(Database& database, const std::string& reference, const std:
   }
   Values values;
   values.count = count;
-  Statement rows = database.sql("SELECT " + reference + ", row FROM sherd WHERE " + reference +
-                                " IS NOT NULL ORDER BY " + reference);
+  store::Statement rows = database.sql("SELECT " + reference + ", row FROM sherd WHERE " +
+                                       reference + " IS NOT NULL ORDER BY " + reference);
   std::int64_t before = 0;
   int value = kNotRecorded;
   while (rows.next()) {
     std::int64_t refers = 0;
-    SherdRow row;
+    store::SherdRow row;
     rows >> refers >> row;
     if (refers != before) {
       const auto found = value_of.find(refers);
@@ -83,11 +84,11 @@ Values sweepThrough(Database& database, const std::string& reference, const std:
   return values;
 }
 
-Values valuesOf(Database& database, const std::string& field) {
+Values valuesOf(store::Database& database, const std::string& field) {
   if (field == "updated")
     return sweep<std::int64_t>(database, "SELECT updated_at, row FROM sherd ORDER BY updated_at");
   const SherdColumn* column = sherdColumn(field);
-  if (!column || !column->sql) refuse("The table cannot be sorted by '" + field + "'.");
+  if (!column || !column->sql) store::refuse("The table cannot be sorted by '" + field + "'.");
   const std::string name = column->field.name;
   if (column->measure) {
     const std::string measure = column->measure;
@@ -118,21 +119,22 @@ Values valuesOf(Database& database, const std::string& field) {
 
 }  // namespace
 
-std::vector<SherdRow> inOrder(Database& database, const std::vector<SherdRow>& by_number,
-                              const SherdOrder& order) {
+std::vector<store::SherdRow> inOrder(store::Database& database,
+                                     const std::vector<store::SherdRow>& by_number,
+                                     const records::SherdOrder& order) {
   const Values values = valuesOf(database, order.field);
   const int count = values.count;
-  const auto slotOf = [&](SherdRow row) {
+  const auto slotOf = [&](store::SherdRow row) {
     const int value = values.of(row);
     if (value == kNotRecorded) return count;
     return order.descending ? count - 1 - value : value;
   };
   // Each value's rows keep the order by number in which they come.
   std::vector<std::size_t> begins(static_cast<std::size_t>(count) + 2, 0);
-  for (const SherdRow& row : by_number) ++begins[static_cast<std::size_t>(slotOf(row)) + 1];
+  for (const store::SherdRow& row : by_number) ++begins[static_cast<std::size_t>(slotOf(row)) + 1];
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  std::vector<SherdRow> ordered(by_number.size());
-  for (const SherdRow& row : by_number)
+  std::vector<store::SherdRow> ordered(by_number.size());
+  for (const store::SherdRow& row : by_number)
     ordered[begins[static_cast<std::size_t>(slotOf(row))]++] = row;
   return ordered;
 }

@@ -10,7 +10,8 @@ namespace ostraka::catalogue {
 /// last, whichever way the order goes; ties go by number. The order's values come from an index in
 /// one sweep over all sherds, so this pays for many rows. Throws Refused for a field that orders
 /// nothing.
-std::vector<SherdRow> inOrder(Database& database, const std::vector<SherdRow>& by_number,
-                              const SherdOrder& order);
+std::vector<store::SherdRow> inOrder(store::Database& database,
+                                     const std::vector<store::SherdRow>& by_number,
+                                     const records::SherdOrder& order);
 
 }  // namespace ostraka::catalogue

@@ -30,8 +30,8 @@ constexpr const char* kSherds =
     "LEFT JOIN batch ON batch.row = s.batch LEFT JOIN scan front ON front.row = s.front "
     "WHERE s.row IN (SELECT value FROM json_each(?))";
 
-SherdRecord readSherd(Statement& row) {
-  SherdRecord s;
+records::SherdRecord readSherd(store::Statement& row) {
+  records::SherdRecord s;
   std::string state, part, decoration, condition;
   row >> s.row >> s.id >> s.number >> state >> s.void_reason >> s.context >> s.bag >> s.batch >>
       s.front >> s.back >> part >> decoration >> condition >> s.ware >> s.fabric >> s.inclusions >>
@@ -40,10 +40,10 @@ SherdRecord readSherd(Statement& row) {
       s.created_ms >> s.updated_ms >> s.revision >> s.site >> s.trench >> s.context_number >>
       s.bag_number >> s.batch_number >> s.scale_doubtful >> s.preview_path >> s.model_path >>
       s.piece;
-  s.state = fromWord<SherdState>(state);
-  s.part = termsFromJson(part);
-  s.decoration = termsFromJson(decoration);
-  s.condition = termsFromJson(condition);
+  s.state = records::fromWord<records::SherdState>(state);
+  s.part = store::termsFromJson(part);
+  s.decoration = store::termsFromJson(decoration);
+  s.condition = store::termsFromJson(condition);
   for (const char* kind : kKinds) {
     std::optional<double> value;
     row >> value;
@@ -53,9 +53,9 @@ SherdRecord readSherd(Statement& row) {
 }
 
 // Shares of the surface stay true whatever the scale is.
-void readDoubts(Database& database, const std::string& wanted,
-                std::unordered_map<std::int64_t, SherdRecord>& sherds) {
-  Statement rows = database.sql(
+void readDoubts(store::Database& database, const std::string& wanted,
+                std::unordered_map<std::int64_t, records::SherdRecord>& sherds) {
+  store::Statement rows = database.sql(
       "SELECT m.sherd, m.kind FROM measurement m JOIN sherd s ON s.row = m.sherd JOIN batch b ON "
       "b.row = s.batch WHERE m.current = 1 AND m.method = 'program' AND m.unit <> 'pct' AND "
       "b.scale_doubts <> '' AND m.sherd IN (SELECT value FROM json_each(?))");
@@ -69,9 +69,9 @@ void readDoubts(Database& database, const std::string& wanted,
 }
 
 // What the program computed last stays beside what a person measured.
-void readReplaced(Database& database, const std::string& wanted,
-                  std::unordered_map<std::int64_t, SherdRecord>& sherds) {
-  Statement rows = database.sql(
+void readReplaced(store::Database& database, const std::string& wanted,
+                  std::unordered_map<std::int64_t, records::SherdRecord>& sherds) {
+  store::Statement rows = database.sql(
       "SELECT m.sherd, m.kind, p.value FROM measurement m JOIN measurement p ON p.row = (SELECT "
       "max(row) FROM measurement c WHERE c.sherd = m.sherd AND c.kind = m.kind AND c.person IS "
       "NULL AND c.method = 'program') WHERE m.current = 1 AND NOT (m.person IS NULL AND m.method = "
@@ -88,16 +88,16 @@ void readReplaced(Database& database, const std::string& wanted,
 
 }  // namespace
 
-std::string rowsJson(std::span<const SherdRow> rows) {
+std::string rowsJson(std::span<const store::SherdRow> rows) {
   std::string text = "[";
-  for (const SherdRow& row : rows) {
+  for (const store::SherdRow& row : rows) {
     if (text.size() > 1) text += ',';
     text += std::to_string(row.value);
   }
   return text + "]";
 }
 
-void searchAnew(Database& database, SherdRow sherd) {
+void searchAnew(store::Database& database, store::SherdRow sherd) {
   database.sql("DELETE FROM sherd_term WHERE sherd = ?").with(sherd).run();
   database
       .sql(
@@ -112,80 +112,81 @@ void searchAnew(Database& database, SherdRow sherd) {
       .run();
 }
 
-Result<std::vector<SherdRecord>> Catalogue::sherds(std::span<const SherdRow> rows) const {
+Result<std::vector<records::SherdRecord>> Catalogue::sherds(
+    std::span<const store::SherdRow> rows) const {
   return database_->door([&] {
-    std::unordered_map<std::int64_t, SherdRecord> found;
+    std::unordered_map<std::int64_t, records::SherdRecord> found;
     const std::string wanted = rowsJson(rows);
     bool any_doubtful = false;
     {
-      Statement statement = database_->sql(kSherds);
+      store::Statement statement = database_->sql(kSherds);
       statement.with(wanted);
       while (statement.next()) {
-        SherdRecord sherd = readSherd(statement);
+        records::SherdRecord sherd = readSherd(statement);
         any_doubtful = any_doubtful || sherd.scale_doubtful;
         found.emplace(sherd.row.value, std::move(sherd));
       }
     }
     if (any_doubtful) readDoubts(*database_, wanted, found);
     readReplaced(*database_, wanted, found);
-    Statement joins = database_->sql(
+    store::Statement joins = database_->sql(
         "SELECT j.sherd, j.other, o.number, o.id FROM sherd_join j JOIN sherd o ON o.row = j.other "
         "WHERE j.sherd IN (SELECT value FROM json_each(?)) ORDER BY o.number_sort, o.row");
     joins.with(wanted);
     while (joins.next()) {
       std::int64_t row = 0;
-      SherdRow other;
+      store::SherdRow other;
       std::string number, id;
       joins >> row >> other >> number >> id;
       found[row].joins.push_back(other);
       found[row].join_numbers.push_back(number.empty() ? id : number);
     }
-    std::vector<SherdRecord> page;
+    std::vector<records::SherdRecord> page;
     page.reserve(rows.size());
-    for (const SherdRow& row : rows) {
+    for (const store::SherdRow& row : rows) {
       const auto sherd = found.find(row.value);
-      if (sherd == found.end()) refuse("A sherd is no longer in the catalogue.");
+      if (sherd == found.end()) store::refuse("A sherd is no longer in the catalogue.");
       page.push_back(sherd->second);
     }
     return page;
   });
 }
 
-Result<SherdRecord> Catalogue::sherd(SherdRow row) const {
-  Result<std::vector<SherdRecord>> page = sherds(std::span(&row, 1));
+Result<records::SherdRecord> Catalogue::sherd(store::SherdRow row) const {
+  Result<std::vector<records::SherdRecord>> page = sherds(std::span(&row, 1));
   if (!page) return page.error();
   return std::move(page->front());
 }
 
-Result<SherdRow> Catalogue::sherdByNumber(const std::string& number) const {
+Result<store::SherdRow> Catalogue::sherdByNumber(const std::string& number) const {
   return database_->door([&] {
-    SherdRow sherd;
-    Statement row = database_->sql(
+    store::SherdRow sherd;
+    store::Statement row = database_->sql(
         "SELECT g.sherd FROM given_number g JOIN sherd s ON s.row = g.sherd AND s.number = "
         "g.number WHERE g.number_key = ?");
-    if (row.with(uniqueKey(trimmed(number))).next()) row >> sherd;
+    if (row.with(store::uniqueKey(store::trimmed(number))).next()) row >> sherd;
     return sherd;
   });
 }
 
-Result<SherdRow> Catalogue::sherdById(const std::string& id) const {
+Result<store::SherdRow> Catalogue::sherdById(const std::string& id) const {
   return database_->door([&] {
-    SherdRow sherd;
-    Statement row = database_->sql("SELECT row FROM sherd WHERE id = ?");
-    if (row.with(uniqueKey(trimmed(id))).next()) row >> sherd;
+    store::SherdRow sherd;
+    store::Statement row = database_->sql("SELECT row FROM sherd WHERE id = ?");
+    if (row.with(store::uniqueKey(store::trimmed(id))).next()) row >> sherd;
     return sherd;
   });
 }
 
-Result<std::vector<SherdRow>> Catalogue::sherdRows(BatchRow batch) const {
+Result<std::vector<store::SherdRow>> Catalogue::sherdRows(store::BatchRow batch) const {
   return database_->door([&] {
-    std::vector<SherdRow> all;
-    Statement rows = database_->sql(
+    std::vector<store::SherdRow> all;
+    store::Statement rows = database_->sql(
         "SELECT row FROM sherd WHERE batch = ? AND NOT (state = 'void' AND number = '') ORDER BY "
         "number_sort, row");
     rows.with(batch);
     while (rows.next()) {
-      SherdRow row;
+      store::SherdRow row;
       rows >> row;
       all.push_back(row);
     }
@@ -193,12 +194,13 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(BatchRow batch) const {
   });
 }
 
-Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Provenance& provenance) {
+Result<store::SherdRow> Catalogue::addSherd(const records::SherdRecord& s,
+                                            const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string id = s.id.empty() ? newId(now()) : s.id;
-    if (!isUuid(id)) refuse("The uuid of a sherd is not well formed.", id);
-    Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
-    if (same.with(id).next()) refuse("A sherd with this uuid already exists.", id);
+    const std::string id = s.id.empty() ? store::newId(now()) : s.id;
+    if (!store::isUuid(id)) store::refuse("The uuid of a sherd is not well formed.", id);
+    store::Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
+    if (same.with(id).next()) store::refuse("A sherd with this uuid already exists.", id);
     database_
         ->sql(
             "INSERT INTO sherd (id, created_at, created_by, updated_at, updated_by, number_sort, "
@@ -207,15 +209,15 @@ Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Provenance& pro
         .with(id, now(), provenance.person, now(), provenance.person, kBehindAllNumbers, s.context,
               s.bag, s.batch, s.front, s.back, s.extra_json)
         .run();
-    const SherdRow row{database_->lastRow()};
+    const store::SherdRow row{database_->lastRow()};
     database_->sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
     remember(*this, provenance, "sherd", row.value, "", "", id);
-    std::vector<FieldChange> changes;
+    std::vector<records::FieldChange> changes;
     for (const SherdColumn& column : sherdColumns()) {
-      if (!column.field.editable || column.field.kind == FieldKind::Place) continue;
-      std::string value = textOf(s, column.field.name);
+      if (!column.field.editable || column.field.kind == records::FieldKind::Place) continue;
+      std::string value = records::textOf(s, column.field.name);
       if (!value.empty())
-        changes.push_back({row, column.field.name, std::move(value), Confirmation::Given});
+        changes.push_back({row, column.field.name, std::move(value), records::Confirmation::Given});
     }
     if (changes.empty())
       searchAnew(*database_, row);
@@ -225,23 +227,23 @@ Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Provenance& pro
   });
 }
 
-Result<void> Catalogue::setModel(SherdRow sherd, const std::string& model_path,
+Result<void> Catalogue::setModel(store::SherdRow sherd, const std::string& model_path,
                                  const std::string& preview_path) {
   return database_->inTransaction([&] {
     for (const std::string& path : {model_path, preview_path})
-      if (!path.empty()) valueOrThrow(checkedPath(path));
+      if (!path.empty()) valueOrThrow(store::checkedPath(path));
     database_->sql("UPDATE sherd SET model_path = ?, preview_path = ? WHERE row = ?")
         .with(model_path, preview_path, sherd)
         .run();
   });
 }
 
-Result<void> Catalogue::voidSherd(SherdRow sherd, const std::string& reason,
-                                  const Provenance& provenance) {
-  if (trimmed(reason).empty())
+Result<void> Catalogue::voidSherd(store::SherdRow sherd, const std::string& reason,
+                                  const records::Provenance& provenance) {
+  if (store::trimmed(reason).empty())
     return Error{ErrorCode::UnusableInput, "A void sherd needs a reason; enter it.", {}};
-  const FieldChange voided{sherd, "void_reason", reason};
-  const Result<std::vector<FieldChange>> done = change(std::span(&voided, 1), provenance);
+  const records::FieldChange voided{sherd, "void_reason", reason};
+  const Result<std::vector<records::FieldChange>> done = change(std::span(&voided, 1), provenance);
   return done ? Result<void>() : done.error();
 }
 

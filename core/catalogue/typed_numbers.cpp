@@ -24,7 +24,7 @@ using nlohmann::json;
 constexpr double kReach_mm = 20;
 constexpr std::size_t kMostDigits = 6;
 
-std::string keyOf(const Catalogue& catalogue, BatchRow batch) {
+std::string keyOf(const Catalogue& catalogue, store::BatchRow batch) {
   return kTypedNumbers + valueOrThrow(catalogue.batch(batch)).number;
 }
 
@@ -67,22 +67,22 @@ bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
   const std::string batch = label.number.substr(0, dash), year = batch.substr(1);
   const std::string n = label.number.substr(dash + 1);
   if (n.size() > kMostDigits) return false;
-  const Numbering scheme =
-      valueOrThrow(Numbering::parse(valueOrThrow(catalogue.project()).numbering));
+  const records::Numbering scheme =
+      valueOrThrow(records::Numbering::parse(valueOrThrow(catalogue.project()).numbering));
   const Result<std::string> given =
       scheme.number({{"batch", batch}, {"yyyy", year}, {"yy", year}}, std::stoi(n));
-  return !given || uniqueKey(*given) != uniqueKey(label.number);
+  return !given || store::uniqueKey(*given) != store::uniqueKey(label.number);
 }
 
 // What a sherd of this batch has that is known of it: where it is from, if its bag says so.
-SherdRecord placeOnPlate(const Catalogue& catalogue, BatchRow batch) {
-  SherdRecord sherd;
-  const BatchRecord record = valueOrThrow(catalogue.batch(batch));
+records::SherdRecord placeOnPlate(const Catalogue& catalogue, store::BatchRow batch) {
+  records::SherdRecord sherd;
+  const records::BatchRecord record = valueOrThrow(catalogue.batch(batch));
   sherd.batch = batch;
   sherd.batch_number = record.number;
-  for (const BagRecord& bag : valueOrThrow(catalogue.bags()))
+  for (const records::BagRecord& bag : valueOrThrow(catalogue.bags()))
     if (record.bags.size() == 1 && bag.row == record.bags.front()) {
-      const ContextRecord place = valueOrThrow(catalogue.context(bag.context));
+      const records::ContextRecord place = valueOrThrow(catalogue.context(bag.context));
       sherd.site = place.site_code;
       sherd.trench = place.trench_code;
       sherd.context_number = place.number;
@@ -94,30 +94,30 @@ SherdRecord placeOnPlate(const Catalogue& catalogue, BatchRow batch) {
 // Its number may be another, or there be one at all, since the label was printed.
 std::string numberOfLabel(const Catalogue& catalogue, const std::string& code) {
   const std::optional<LabelCode> label = readLabelCode(code);
-  if (!label) refuse("This is only part of a sherd's label; scan its code again.", code);
+  if (!label) store::refuse("This is only part of a sherd's label; scan its code again.", code);
   std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
-  if (const SherdRow known = valueOrThrow(sherdOfLabel(catalogue, *label))) {
-    const SherdRecord sherd = valueOrThrow(catalogue.sherd(known));
+  if (const store::SherdRow known = valueOrThrow(sherdOfLabel(catalogue, *label))) {
+    const records::SherdRecord sherd = valueOrThrow(catalogue.sherd(known));
     if (!sherd.number.empty() || label->isPlaceOnPlate()) number = sherd.number;
   }
-  if (number.empty()) refuse("The sherd of this label has no number yet.", code);
+  if (number.empty()) store::refuse("The sherd of this label has no number yet.", code);
   return number;
 }
 
-std::string wholeOf(const Catalogue& catalogue, const SherdRecord& place,
+std::string wholeOf(const Catalogue& catalogue, const records::SherdRecord& place,
                     const std::string& typed) {
-  const std::string text = trimmed(typed);
+  const std::string text = store::trimmed(typed);
   if (beginsAsSherdLabel(text)) return numberOfLabel(catalogue, text);
   if (text.starts_with('=')) {
-    const std::string itself = trimmed(std::string_view(text).substr(1));
-    if (itself.empty()) refuse("Enter a number after =.", text);
+    const std::string itself = store::trimmed(std::string_view(text).substr(1));
+    if (itself.empty()) store::refuse("Enter a number after =.", text);
     return itself;
   }
   if (text.empty() || text.size() > kMostDigits ||
       text.find_first_not_of("0123456789") != std::string::npos)
     return text;
-  const Numbering scheme =
-      valueOrThrow(Numbering::parse(valueOrThrow(catalogue.project()).numbering));
+  const records::Numbering scheme =
+      valueOrThrow(records::Numbering::parse(valueOrThrow(catalogue.project()).numbering));
   return valueOrThrow(scheme.number(numberTokens(catalogue, place), std::stoi(text)));
 }
 
@@ -125,89 +125,93 @@ std::string wholeOf(const Catalogue& catalogue, const SherdRecord& place,
 
 std::set<std::string> typedEverywhere(const Catalogue& catalogue) {
   std::set<std::string> keys;
-  Statement rows = catalogue.database().sql(
+  store::Statement rows = catalogue.database().sql(
       "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111)");
   for (rows.with(std::string(kTypedNumbers)); rows.next();) {
     std::string text;
     rows >> text;
-    for (const TypedNumber& typed : parsed(text)) keys.insert(uniqueKey(typed.number));
+    for (const TypedNumber& typed : parsed(text)) keys.insert(store::uniqueKey(typed.number));
   }
   return keys;
 }
 
 std::map<std::string, std::string> typedAndWaiting(const Catalogue& catalogue) {
   std::map<std::string, std::string> waiting;
-  Statement rows = catalogue.database().sql(
+  store::Statement rows = catalogue.database().sql(
       "SELECT b.number, s.value FROM batch b JOIN setting s ON s.key = ? || b.number WHERE b.state "
       "<> 'failed' AND NOT EXISTS (SELECT 1 FROM scan WHERE scan.batch = b.row)");
   for (rows.with(std::string(kTypedNumbers)); rows.next();) {
     std::string batch, text;
     rows >> batch >> text;
-    for (const TypedNumber& typed : parsed(text)) waiting[uniqueKey(typed.number)] = batch;
+    for (const TypedNumber& typed : parsed(text)) waiting[store::uniqueKey(typed.number)] = batch;
   }
   return waiting;
 }
 
-Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch) {
+Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, store::BatchRow batch) {
   return catalogue.database().door(
       [&] { return parsed(valueOrThrow(catalogue.setting(keyOf(catalogue, batch)))); });
 }
 
-Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
+Result<void> setTypedNumbers(Catalogue& catalogue, store::BatchRow batch,
                              std::span<const TypedNumber> numbers) {
-  Database& database = catalogue.database();
+  store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     const std::string own = valueOrThrow(catalogue.batch(batch)).number;
     std::set<std::string> stood, seen;
     for (const TypedNumber& typed : valueOrThrow(typedNumbers(catalogue, batch)))
-      stood.insert(uniqueKey(typed.number));
+      stood.insert(store::uniqueKey(typed.number));
     const std::map<std::string, std::string> waiting = typedAndWaiting(catalogue);
     for (const TypedNumber& typed : numbers) {
-      const std::string number = uniqueKey(typed.number);
+      const std::string number = store::uniqueKey(typed.number);
       if (!seen.insert(number).second)
-        refuse("The number " + typed.number + " appears on two sherds of this plate.",
-               typed.number);
+        store::refuse("The number " + typed.number + " appears on two sherds of this plate.",
+                      typed.number);
       if (stood.contains(number)) continue;  // what is wrong with it hinders no other
       const Taken taken = takenBy(database, typed.number);
-      const SherdRecord holder =
-          taken.sherd ? valueOrThrow(catalogue.sherd(taken.sherd)) : SherdRecord();
+      const records::SherdRecord holder =
+          taken.sherd ? valueOrThrow(catalogue.sherd(taken.sherd)) : records::SherdRecord();
       const bool may =
           !taken.sherd || holder.batch == batch ||
-          (waitsForPhotographs(catalogue, holder) && uniqueKey(holder.number) == number);
+          (waitsForPhotographs(catalogue, holder) && store::uniqueKey(holder.number) == number);
       const auto elsewhere = waiting.find(number);
       if (!may || (elsewhere != waiting.end() && elsewhere->second != own))
-        refuse("The number " + typed.number + " already belongs to another sherd.", typed.number);
+        store::refuse("The number " + typed.number + " already belongs to another sherd.",
+                      typed.number);
     }
-    valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), textOf(numbers)));
+    valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), records::textOf(numbers)));
   });
 }
 
-void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number) {
+void forgetTyped(Catalogue& catalogue, store::BatchRow batch, const std::string& number) {
   std::vector<TypedNumber> left = valueOrThrow(typedNumbers(catalogue, batch));
-  const std::size_t erased = std::erase_if(
-      left, [&](const TypedNumber& typed) { return uniqueKey(typed.number) == uniqueKey(number); });
-  if (erased > 0) valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), textOf(left)));
+  const std::size_t erased = std::erase_if(left, [&](const TypedNumber& typed) {
+    return store::uniqueKey(typed.number) == store::uniqueKey(number);
+  });
+  if (erased > 0)
+    valueOrThrow(catalogue.setSetting(keyOf(catalogue, batch), records::textOf(left)));
 }
 
-Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
+Result<std::string> wholeNumber(const Catalogue& catalogue, store::BatchRow batch,
                                 const std::string& typed) {
   return catalogue.database().door(
       [&] { return wholeOf(catalogue, placeOnPlate(catalogue, batch), typed); });
 }
 
-Result<std::string> wholeNumber(const Catalogue& catalogue, SherdRow sherd,
+Result<std::string> wholeNumber(const Catalogue& catalogue, store::SherdRow sherd,
                                 const std::string& typed) {
   return catalogue.database().door(
       [&] { return wholeOf(catalogue, valueOrThrow(catalogue.sherd(sherd)), typed); });
 }
 
-Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number) {
+Result<bool> fitsTheBatch(const Catalogue& catalogue, store::BatchRow batch,
+                          const std::string& number) {
   return catalogue.database().door([&] {
     return valueOrThrow(fitsThePlace(catalogue, placeOnPlate(catalogue, batch), number));
   });
 }
 
-Result<bool> fitsThePlace(const Catalogue& catalogue, const SherdRecord& place,
+Result<bool> fitsThePlace(const Catalogue& catalogue, const records::SherdRecord& place,
                           const std::string& number) {
   return catalogue.database().door([&] {
     std::string digits;
@@ -217,7 +221,7 @@ Result<bool> fitsThePlace(const Catalogue& catalogue, const SherdRecord& place,
         continue;
       }
       if (!digits.empty() && digits.size() <= kMostDigits &&
-          uniqueKey(wholeOf(catalogue, place, digits)) == uniqueKey(number))
+          store::uniqueKey(wholeOf(catalogue, place, digits)) == store::uniqueKey(number))
         return true;
       digits.clear();
     }
@@ -239,29 +243,30 @@ std::vector<int> placesOf(std::span<const TypedNumber> numbers,
   return found;
 }
 
-std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow batch) {
+std::map<store::ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue,
+                                                  store::BatchRow batch) {
   std::map<std::string, Eigen::Vector2d> places;
   for (const TypedNumber& typed : valueOrThrow(typedNumbers(catalogue, batch)))
-    places[uniqueKey(typed.number)] = typed.at_mm;
-  std::map<ScanRow, Eigen::Vector2d> typed_on;
+    places[store::uniqueKey(typed.number)] = typed.at_mm;
+  std::map<store::ScanRow, Eigen::Vector2d> typed_on;
   if (places.empty()) return typed_on;
-  for (const SherdRecord& sherd :
+  for (const records::SherdRecord& sherd :
        valueOrThrow(catalogue.sherds(valueOrThrow(catalogue.sherdRows(batch)))))
-    if (const auto place = places.find(uniqueKey(sherd.number));
+    if (const auto place = places.find(store::uniqueKey(sherd.number));
         place != places.end() && sherd.front)
       typed_on[sherd.front] = place->second;
   return typed_on;
 }
 
-Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
-                                                  const Provenance& provenance) {
+Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, store::BatchRow batch,
+                                                  const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     std::vector<std::string> left;
     const std::vector<TypedNumber> typed = valueOrThrow(typedNumbers(catalogue, batch));
     if (typed.empty()) return left;
     std::vector<Eigen::Vector2d> places;
-    std::vector<ScanRow> fronts;
-    for (const ScanRecord& scan : valueOrThrow(catalogue.scans(batch))) {
+    std::vector<store::ScanRow> fronts;
+    for (const records::ScanRecord& scan : valueOrThrow(catalogue.scans(batch))) {
       if (!scan.isThere() || scan.side != batch::Side::Front) continue;
       if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
       places.emplace_back(*scan.plate_x_mm, *scan.plate_y_mm);
@@ -270,22 +275,26 @@ Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow
     const std::vector<int> place_of = placesOf(typed, places);
     const auto sherds = valueOrThrow(catalogue.sherds(valueOrThrow(catalogue.sherdRows(batch))));
     for (std::size_t i = 0; i < typed.size(); ++i) {
-      const auto sherd = std::find_if(sherds.begin(), sherds.end(), [&](const SherdRecord& s) {
-        return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
-      });
-      if (sherd != sherds.end() && sherd->number.empty() && sherd->state == SherdState::Draft) {
-        const SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;
+      const auto sherd =
+          std::find_if(sherds.begin(), sherds.end(), [&](const records::SherdRecord& s) {
+            return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
+          });
+      if (sherd != sherds.end() && sherd->number.empty() &&
+          sherd->state == records::SherdState::Draft) {
+        const store::SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;
         if (holder == sherd->row) continue;  // a person took it away again
-        const SherdRecord known = holder ? valueOrThrow(catalogue.sherd(holder)) : SherdRecord();
+        const records::SherdRecord known =
+            holder ? valueOrThrow(catalogue.sherd(holder)) : records::SherdRecord();
         if (waitsForPhotographs(catalogue, known) &&
-            uniqueKey(known.number) == uniqueKey(typed[i].number)) {
+            store::uniqueKey(known.number) == store::uniqueKey(typed[i].number)) {
           takeOver(catalogue, known, *sherd, provenance);
           continue;
         }
-        const FieldChange number{sherd->row, "number", typed[i].number};
+        const records::FieldChange number{sherd->row, "number", typed[i].number};
         if (catalogue.change(std::span(&number, 1), provenance)) continue;
       }
-      if (sherd == sherds.end() || uniqueKey(sherd->number) != uniqueKey(typed[i].number))
+      if (sherd == sherds.end() ||
+          store::uniqueKey(sherd->number) != store::uniqueKey(typed[i].number))
         left.push_back(typed[i].number);
     }
     return left;

@@ -17,30 +17,31 @@ struct TypedNumber {
 };
 
 /// Those of a batch, as they were typed; empty when none were.
-Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch);
+Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, store::BatchRow batch);
 /// All of a batch. Errors: UnusableInput, a number that stands here twice or belongs to another
 /// sherd that waits for no photographs, here or on a plate that is not computed yet.
-Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
+Result<void> setTypedNumbers(Catalogue& catalogue, store::BatchRow batch,
                              std::span<const TypedNumber> numbers);
 
 /// The sherd of this number lies on another plate by now. Throws Refused.
-void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number);
+void forgetTyped(Catalogue& catalogue, store::BatchRow batch, const std::string& number);
 
 /// The whole number of what was typed or scanned: digits alone are the running number in the
 /// batch's context after the project's scheme, a label's code (OST1:S:...) holds its own, and what
 /// follows a '=' is meant as it stands. Errors: UnusableInput, digits without a bag that says the
 /// context.
-Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
+Result<std::string> wholeNumber(const Catalogue& catalogue, store::BatchRow batch,
                                 const std::string& typed);
 /// The same for one sherd, in its own context.
-Result<std::string> wholeNumber(const Catalogue& catalogue, SherdRow sherd,
+Result<std::string> wholeNumber(const Catalogue& catalogue, store::SherdRow sherd,
                                 const std::string& typed);
 
 /// The number is one that the project's scheme gives to sherds of this batch, with the digits that
 /// stand in it. Errors: without a bag nobody knows.
-Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number);
+Result<bool> fitsTheBatch(const Catalogue& catalogue, store::BatchRow batch,
+                          const std::string& number);
 /// The same for the place and the batch that this record names.
-Result<bool> fitsThePlace(const Catalogue& catalogue, const SherdRecord& place,
+Result<bool> fitsThePlace(const Catalogue& catalogue, const records::SherdRecord& place,
                           const std::string& number);
 
 /// For each number the place that it belongs to: nearest to each other, within 20 mm; else -1.
@@ -49,13 +50,14 @@ std::vector<int> placesOf(std::span<const TypedNumber> numbers,
 
 /// Where the numbers of its sherds were typed, by their fronts; others have their numbers from
 /// elsewhere.
-std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow batch);
+std::map<store::ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue,
+                                                  store::BatchRow batch);
 
 /// Gives the sherds of a batch the numbers that were typed on their fronts; a sherd that has a
 /// number already keeps it, one that lost it again to a person stays without, and one that waits
 /// for photographs under that number takes over what lies there. Returns the numbers that are left:
 /// no sherd lies there, or it has no context yet. Doing it twice changes nothing.
-Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
-                                                  const Provenance& provenance);
+Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, store::BatchRow batch,
+                                                  const records::Provenance& provenance);
 
 }  // namespace ostraka::catalogue

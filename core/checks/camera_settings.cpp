@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 using batch::Exif;
@@ -98,4 +98,4 @@ std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads
   return settingsWarnings(batch.shots, exif);
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

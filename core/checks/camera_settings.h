@@ -6,7 +6,7 @@
 #include "batch/batch.h"
 #include "batch/exif.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 
 /// What differs between the photographs of one camera, front and back together, by what the cameras
 /// wrote: the body (one lens is computed for all), focal length, aperture, exposure time, ISO,
@@ -19,4 +19,4 @@ std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
 /// own, and those of one body, zoom and size share a lens by themselves.
 std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

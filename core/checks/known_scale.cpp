@@ -8,7 +8,7 @@
 
 #include "calibration/held_out.h"
 
-namespace ostraka::rig {
+namespace ostraka::checks {
 namespace {
 
 constexpr double kMinAngle_rad = 0.052;  // 3 degrees: below it a pixel moves the depth by 20
@@ -26,18 +26,18 @@ std::optional<KnownScale> middleOf(std::vector<double> ratios) {
                     static_cast<int>(ratios.size())};
 }
 
-const PosedImage* imageNamed(const std::vector<PosedImage>& images, batch::Side side,
-                             const std::string& name) {
-  for (const PosedImage& image : images)
+const rig::PosedImage* imageNamed(const std::vector<rig::PosedImage>& images, batch::Side side,
+                                  const std::string& name) {
+  for (const rig::PosedImage& image : images)
     if (image.side == side && std::filesystem::path(image.file).filename() == name) return &image;
   return nullptr;
 }
 
-std::vector<SeenIn> raysTo(const std::vector<PosedImage>& images, batch::Side side,
+std::vector<SeenIn> raysTo(const std::vector<rig::PosedImage>& images, batch::Side side,
                            const std::vector<batch::KnownLength::Mark>& marks) {
   std::vector<SeenIn> rays;
   for (const batch::KnownLength::Mark& mark : marks)
-    if (const PosedImage* image = imageNamed(images, side, mark.file))
+    if (const rig::PosedImage* image = imageNamed(images, side, mark.file))
       rays.push_back({image, mark.pixel});
   return rays;
 }
@@ -81,11 +81,12 @@ std::optional<MarkedEnd> locate(const std::vector<SeenIn>& rays) {
 }  // namespace
 
 bool CheckedLength::contradicts() const {
-  return std::abs(found_mm - true_mm) > 3 * sd_mm && std::abs(error()) > kMostScaleError;
+  return std::abs(found_mm - true_mm) > 3 * sd_mm &&
+         std::abs(error()) > calibration::kMostScaleError;
 }
 
 std::vector<std::optional<CheckedLength>> checkLengths(
-    const std::vector<PosedImage>& images, const std::vector<batch::KnownLength>& lengths) {
+    const std::vector<rig::PosedImage>& images, const std::vector<batch::KnownLength>& lengths) {
   std::vector<std::array<std::optional<MarkedEnd>, 2>> found;
   double squares = 0;
   int freedom = 0;
@@ -129,7 +130,7 @@ std::optional<Eigen::Vector3d> triangulate(const std::vector<SeenIn>& rays) {
   return Eigen::Vector3d(a.ldlt().solve(b));
 }
 
-std::optional<KnownScale> scaleFromLengths(const std::vector<PosedImage>& images,
+std::optional<KnownScale> scaleFromLengths(const std::vector<rig::PosedImage>& images,
                                            const std::vector<batch::KnownLength>& lengths) {
   std::vector<double> ratios;
   for (const batch::KnownLength& known : lengths) {
@@ -142,8 +143,8 @@ std::optional<KnownScale> scaleFromLengths(const std::vector<PosedImage>& images
   return middleOf(std::move(ratios));
 }
 
-std::optional<KnownScale> scaleFromBoard(const std::vector<PosedImage>& images,
-                                         const std::vector<TargetView>& views) {
+std::optional<KnownScale> scaleFromBoard(const std::vector<rig::PosedImage>& images,
+                                         const std::vector<calibration::TargetView>& views) {
   // A corner is known by its place on the board, in hundredths of a millimetre.
   std::map<std::array<long, 2>, std::vector<SeenIn>> seen;
   for (std::size_t i = 0; i < images.size() && i < views.size(); ++i)
@@ -169,4 +170,4 @@ std::optional<KnownScale> scaleFromBoard(const std::vector<PosedImage>& images,
   return middleOf(std::move(ratios));
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::checks

@@ -6,7 +6,7 @@
 #include "calibration/intrinsics.h"
 #include "rig/camera.h"
 
-namespace ostraka::rig {
+namespace ostraka::checks {
 
 /// The size of poses without one, as COLMAP leaves them.
 struct KnownScale {
@@ -18,7 +18,7 @@ struct KnownScale {
 /// Where a point lies that is seen in several photographs: the least squares point of its rays, in
 /// the poses' unit. Nothing with fewer than two rays, or with rays within 3 degrees of each other.
 struct SeenIn {
-  const PosedImage* image = nullptr;
+  const rig::PosedImage* image = nullptr;
   Eigen::Vector2d pixel;
 };
 std::optional<Eigen::Vector3d> triangulate(const std::vector<SeenIn>& rays);
@@ -38,15 +38,15 @@ struct CheckedLength {
 /// miss each other, 2 n - 3 degrees of freedom for n marks; it is no better than the rounding to
 /// whole pixels, 1 / sqrt(12) px.
 std::vector<std::optional<CheckedLength>> checkLengths(
-    const std::vector<PosedImage>& images, const std::vector<batch::KnownLength>& lengths);
+    const std::vector<rig::PosedImage>& images, const std::vector<batch::KnownLength>& lengths);
 
 /// From stretches that a person marked; marks on photographs without a pose do not count.
-std::optional<KnownScale> scaleFromLengths(const std::vector<PosedImage>& images,
+std::optional<KnownScale> scaleFromLengths(const std::vector<rig::PosedImage>& images,
                                            const std::vector<batch::KnownLength>& lengths);
 
 /// From a board that lies on the plate: the median ratio of true and found distances between all
 /// its corners. views: what was seen of it, one per image. Nothing with fewer than 6 corners.
-std::optional<KnownScale> scaleFromBoard(const std::vector<PosedImage>& images,
-                                         const std::vector<TargetView>& views);
+std::optional<KnownScale> scaleFromBoard(const std::vector<rig::PosedImage>& images,
+                                         const std::vector<calibration::TargetView>& views);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::checks

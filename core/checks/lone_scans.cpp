@@ -6,7 +6,7 @@
 
 #include "scan/footprint.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 // Sherds that lean on each other hide a strip; both sides of a sherd show nearly the same outline.
@@ -39,4 +39,4 @@ std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone
   return words;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -5,7 +5,7 @@
 
 #include "scan/scan.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 
 /// Sherds that lie side against side on the plate, without a neck between them, become one scan
 /// that no other side fits. What gives them away: it is as large, seen from above, as two scans of
@@ -13,4 +13,4 @@ namespace ostraka::pipeline {
 std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone,
                                          std::span<const scan::Scan* const> others);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

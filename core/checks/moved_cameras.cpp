@@ -8,7 +8,7 @@
 #include "files/json_numbers.h"
 #include "rig/rig.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ Result<std::vector<MovedCamera>> movedCameras(const fs::path& output) {
   const fs::path file = output / "work" / "rig" / "stage.json";
   const Result<nlohmann::json> stage = readJson(file);
   if (!stage) return stage.error();
-  const double most_px = rig::PoseOptions().max_known_rig_residual_px;
+  const double most_px = calibration::PoseOptions().max_known_rig_residual_px;
   std::vector<MovedCamera> moved;
   try {
     for (const nlohmann::json& camera :
@@ -71,4 +71,4 @@ Result<fs::path> calibrateFrom(const fs::path& output, const fs::path& rig_file)
   return kept;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 
 /// A camera that misses the plate's markers from where the known rig has it: somebody bumped it.
 struct MovedCamera {
@@ -24,4 +24,4 @@ Result<std::vector<MovedCamera>> movedCameras(const std::filesystem::path& outpu
 Result<std::filesystem::path> calibrateFrom(const std::filesystem::path& output,
                                             const std::filesystem::path& rig_file);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -12,7 +12,7 @@
 #include "batch/photograph.h"
 #include "rig/edge_width.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 struct Look {
@@ -156,4 +156,4 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
   return findings;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -8,7 +8,7 @@
 #include "batch/batch.h"
 #include "rig/camera.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 
 struct PhotoCheckOptions {
   double most_edge_growth = 1.4;  ///< markers' edges wider than the camera's sharpest are a blur
@@ -36,4 +36,4 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
                                        const batch::Plate& plate, const PhotoCheckOptions& options,
                                        std::stop_token stop);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -5,10 +5,10 @@
 #include "base/text.h"
 #include "calibration/held_out.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
-std::string doubtOf(const rig::CheckedLength& length) {
+std::string doubtOf(const checks::CheckedLength& length) {
   const bool too_small = length.error() < 0;
   return "The scale is wrong: " + sentence(length) + ", so all measurements would be " +
          fixed(100 * std::abs(length.error()), 2) + " % too " + (too_small ? "small" : "large") +
@@ -25,7 +25,7 @@ std::string unusable(const batch::KnownLength& known) {
 
 }  // namespace
 
-std::string sentence(const rig::CheckedLength& length) {
+std::string sentence(const checks::CheckedLength& length) {
   const std::string sign = length.error() < 0 ? "" : "+";
   return "the length of " + fixed(length.true_mm, 2) + " mm marked on the " +
          batch::name(length.side) + " side measures " + fixed(length.found_mm, 2) + " +- " +
@@ -33,15 +33,15 @@ std::string sentence(const rig::CheckedLength& length) {
          fixed(100 * length.error(), 2) + " %)";
 }
 
-ScaleCheck checkScale(const rig::BatchPoses& poses,
+ScaleCheck checkScale(const calibration::BatchPoses& poses,
                       const std::vector<batch::KnownLength>& lengths) {
   ScaleCheck check;
   check.lengths = nlohmann::ordered_json::array();
-  for (const rig::HeldOutDistance& distance : poses.held_out)
-    if (const std::optional<std::string> doubt = rig::scaleDoubt(distance))
+  for (const calibration::HeldOutDistance& distance : poses.held_out)
+    if (const std::optional<std::string> doubt = calibration::scaleDoubt(distance))
       check.doubts.push_back(*doubt);
-  const std::vector<std::optional<rig::CheckedLength>> found =
-      rig::checkLengths(poses.images, lengths);
+  const std::vector<std::optional<checks::CheckedLength>> found =
+      checks::checkLengths(poses.images, lengths);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) {
       check.warnings.push_back(unusable(lengths[i]));
@@ -63,4 +63,4 @@ ScaleCheck checkScale(const rig::BatchPoses& poses,
   return check;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -7,7 +7,7 @@
 #include "calibration/calibrate.h"
 #include "checks/known_scale.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 
 /// What is known besides plate.json about the size of what a batch's photographs show.
 struct ScaleCheck {
@@ -19,9 +19,10 @@ struct ScaleCheck {
 
 /// Compares the marked lengths of scale.json, and the distances between markers that took no part
 /// in the fit, with what the posed photographs make of them.
-ScaleCheck checkScale(const rig::BatchPoses& poses, const std::vector<batch::KnownLength>& lengths);
+ScaleCheck checkScale(const calibration::BatchPoses& poses,
+                      const std::vector<batch::KnownLength>& lengths);
 
 /// "the length of 50.00 mm marked on the front side measures 49.51 +- 0.06 mm (-0.98 %)".
-std::string sentence(const rig::CheckedLength& length);
+std::string sentence(const checks::CheckedLength& length);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -10,7 +10,7 @@
 
 #include "base/parallel.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 constexpr std::size_t kMostPoints = 4000;  // of a scan; its outline needs no more
@@ -198,4 +198,4 @@ std::vector<MovedSherd> findMoved(std::span<const rig::PosedImage> images,
   return moved;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -7,7 +7,7 @@
 #include "rig/camera.h"
 #include "scan/scan.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 
 /// A sherd that was pushed while its side was photographed.
 struct MovedSherd {
@@ -34,4 +34,4 @@ std::vector<MovedSherd> findMoved(std::span<const rig::PosedImage> images,
                                   std::span<const scan::Scan> scans,
                                   const StillnessOptions& options);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

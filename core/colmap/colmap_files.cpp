@@ -6,7 +6,7 @@
 
 #include "colmap/colmap_format.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace {
 
 struct CameraModel {
@@ -29,7 +29,7 @@ constexpr std::array<CameraModel, 11> kModels{{{"SIMPLE_PINHOLE", 3},
 
 constexpr double kCentre = 0.5;  // of a pixel in COLMAP's convention; in ours 0
 
-bool valid(const Intrinsics& i) {
+bool valid(const rig::Intrinsics& i) {
   return i.width > 0 && i.height > 0 && i.width <= 100'000 && i.height <= 100'000 &&
          std::isfinite(i.fx + i.fy + i.cx + i.cy) && i.fx > 0 && i.fy > 0;
 }
@@ -50,7 +50,7 @@ int colmapModelNumber(const std::string& name) {
   return -1;
 }
 
-ColmapCamera toColmap(const Intrinsics& i, std::uint32_t id) {
+ColmapCamera toColmap(const rig::Intrinsics& i, std::uint32_t id) {
   ColmapCamera camera;
   camera.id = id;
   camera.width = static_cast<std::uint64_t>(i.width);
@@ -67,7 +67,7 @@ ColmapCamera toColmap(const Intrinsics& i, std::uint32_t id) {
   return camera;
 }
 
-Result<Intrinsics> fromColmap(const ColmapCamera& camera) {
+Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera) {
   const std::vector<double>& p = camera.parameters;
   const auto unusable = [&] {
     return Error{ErrorCode::UnusableInput,
@@ -80,7 +80,7 @@ Result<Intrinsics> fromColmap(const ColmapCamera& camera) {
       p.size() != static_cast<std::size_t>(colmapParameterCount(camera.model)) ||
       camera.width > 100'000 || camera.height > 100'000)
     return unusable();
-  Intrinsics i;
+  rig::Intrinsics i;
   i.width = static_cast<int>(camera.width);
   i.height = static_cast<int>(camera.height);
   const bool one_focal = camera.model == 0 || camera.model == 2 || camera.model == 3;
@@ -102,7 +102,8 @@ Result<Intrinsics> fromColmap(const ColmapCamera& camera) {
   return i;
 }
 
-ColmapModel toColmap(const std::vector<PosedImage>& images, const std::vector<std::string>& names) {
+ColmapModel toColmap(const std::vector<rig::PosedImage>& images,
+                     const std::vector<std::string>& names) {
   ColmapModel model;
   for (std::size_t k = 0; k < images.size(); ++k) {
     const auto id = static_cast<std::uint32_t>(k + 1);
@@ -112,8 +113,8 @@ ColmapModel toColmap(const std::vector<PosedImage>& images, const std::vector<st
   return model;
 }
 
-Result<std::vector<PosedImage>> fromColmap(const ColmapModel& model) {
-  std::vector<PosedImage> images;
+Result<std::vector<rig::PosedImage>> fromColmap(const ColmapModel& model) {
+  std::vector<rig::PosedImage> images;
   for (const ColmapImage& one : model.images) {
     const auto camera = std::find_if(model.cameras.begin(), model.cameras.end(),
                                      [&](const ColmapCamera& c) { return c.id == one.camera; });
@@ -121,9 +122,9 @@ Result<std::vector<PosedImage>> fromColmap(const ColmapModel& model) {
       return Error{ErrorCode::UnusableInput,
                    "COLMAP's model has no camera for the image '" + one.name + "'.",
                    {}};
-    const Result<Intrinsics> intrinsics = fromColmap(*camera);
+    const Result<rig::Intrinsics> intrinsics = fromColmap(*camera);
     if (!intrinsics) return intrinsics.error();
-    PosedImage image;
+    rig::PosedImage image;
     image.file = one.name;
     image.intrinsics = *intrinsics;
     image.camera_from_plate = one.camera_from_world;
@@ -132,4 +133,4 @@ Result<std::vector<PosedImage>> fromColmap(const ColmapModel& model) {
   return images;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "rig/camera.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 
 /// COLMAP's sparse model as its files hold it. Its pixels have their centre at +0.5; the
 /// conversions below shift by that, these structs do not.
@@ -57,14 +57,15 @@ Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapM
 int colmapParameterCount(int model);
 
 /// PINHOLE without distortion, OPENCV without k3, FULL_OPENCV otherwise.
-ColmapCamera toColmap(const Intrinsics& intrinsics, std::uint32_t id);
+ColmapCamera toColmap(const rig::Intrinsics& intrinsics, std::uint32_t id);
 /// Errors: UnusableInput (a model that is no pinhole with k1 k2 p1 p2 k3).
-Result<Intrinsics> fromColmap(const ColmapCamera& camera);
+Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera);
 
 /// Cameras and images with ids from 1 in their order, one camera per image; names[i] is the file
 /// name of images[i]. Without points.
-ColmapModel toColmap(const std::vector<PosedImage>& images, const std::vector<std::string>& names);
+ColmapModel toColmap(const std::vector<rig::PosedImage>& images,
+                     const std::vector<std::string>& names);
 /// Posed images in the order of the model's images; file = name; the world is taken for the plate.
-Result<std::vector<PosedImage>> fromColmap(const ColmapModel& model);
+Result<std::vector<rig::PosedImage>> fromColmap(const ColmapModel& model);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -8,7 +8,7 @@
 #include "colmap/colmap_text.h"
 #include "files/files.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "COLMAP's files are little endian");
@@ -242,4 +242,4 @@ Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapM
   return writeFileAtomically(folder / ("points3D" + ending), colmapBytes(model.points, format));
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -5,7 +5,7 @@
 #include "base/result.h"
 #include "colmap/colmap_files.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 
 /// One of the three files of a model from or to its bytes. Errors name `where`.
 Result<std::vector<ColmapCamera>> parseColmapCameras(std::string_view bytes, ColmapFormat format,
@@ -21,4 +21,4 @@ std::string colmapBytes(const std::vector<ColmapPoint>& points, ColmapFormat for
 const char* colmapModelName(int model);          ///< empty for an unknown number
 int colmapModelNumber(const std::string& name);  ///< -1 for an unknown name
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -18,7 +18,7 @@
 #include "files/files.h"
 #include "rig/support_plane.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace fs = std::filesystem;
 namespace {
 
@@ -146,7 +146,7 @@ class Session {
  private:
   cv::Mat handed(const cv::Mat& picture) const {
     if (megapixels_ <= 0) return picture;
-    const Intrinsics small = reducedTo({picture.cols, picture.rows}, megapixels_);
+    const rig::Intrinsics small = rig::reducedTo({picture.cols, picture.rows}, megapixels_);
     return batch::reducedTo(picture, small.width, small.height);
   }
 
@@ -198,7 +198,8 @@ class Session {
 
 Eigen::Isometry3d turntableOrIdentity(const ColmapPoses& poses) {
   std::map<int, std::vector<Eigen::Vector3d>> by_camera;
-  for (const PosedImage& image : poses.images) by_camera[image.camera].push_back(image.centre());
+  for (const rig::PosedImage& image : poses.images)
+    by_camera[image.camera].push_back(image.centre());
   std::vector<std::vector<Eigen::Vector3d>> centres;
   for (auto& [camera, list] : by_camera) centres.push_back(std::move(list));
   return turntableFromCentres(centres, poses.points).value_or(Eigen::Isometry3d::Identity());
@@ -207,7 +208,7 @@ Eigen::Isometry3d turntableOrIdentity(const ColmapPoses& poses) {
 }  // namespace
 
 void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& frame_from_world) {
-  for (PosedImage& image : poses.images)
+  for (rig::PosedImage& image : poses.images)
     image.camera_from_plate = image.camera_from_plate * frame_from_world.inverse();
   for (Eigen::Vector3d& point : poses.points) point = frame_from_world * point;
 }
@@ -281,7 +282,7 @@ std::optional<Eigen::Isometry3d> turntableFromCentres(
 }
 
 ColmapPoses scaledTo(ColmapPoses poses, double mm_per_unit) {
-  for (PosedImage& image : poses.images) image.camera_from_plate.translation() *= mm_per_unit;
+  for (rig::PosedImage& image : poses.images) image.camera_from_plate.translation() *= mm_per_unit;
   for (Eigen::Vector3d& point : poses.points) point *= mm_per_unit;
   poses.has_scale = true;
   return poses;
@@ -303,10 +304,10 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
   if (const Result<void> done = session.run(); !done) return done.error();
   const Result<ColmapModel> model = session.largestModel();
   if (!model) return model.error();
-  const Result<std::vector<PosedImage>> images = fromColmap(*model);
+  const Result<std::vector<rig::PosedImage>> images = fromColmap(*model);
   if (!images) return images.error();
-  std::map<std::size_t, PosedImage> by_shot;
-  for (const PosedImage& image : *images)
+  std::map<std::size_t, rig::PosedImage> by_shot;
+  for (const rig::PosedImage& image : *images)
     if (const auto shot = session.shotOf(image.file)) by_shot[*shot] = image;
   ColmapPoses poses;
   for (auto& [index, image] : by_shot) {
@@ -315,7 +316,7 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
     image.camera = shots[index].camera;
     image.stop = shots[index].stop;
     if (options.megapixels > 0)
-      image.intrinsics = reduced(image.intrinsics, shots[index].width, shots[index].height);
+      image.intrinsics = rig::reduced(image.intrinsics, shots[index].width, shots[index].height);
     poses.images.push_back(image);
   }
   const auto needed = std::max(3.0, std::ceil(options.min_posed_share * shots.size()));
@@ -329,11 +330,12 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
     poses.points.push_back(point.position);
     poses.reprojection_px += point.error_px / static_cast<double>(model->points.size());
   }
-  moveTo(poses, options.lenses.empty() ? turntableOrIdentity(poses) : uprightFrame(poses.images));
+  moveTo(poses,
+         options.lenses.empty() ? turntableOrIdentity(poses) : rig::uprightFrame(poses.images));
   progress.report(3, 3);
   progress.note(NoteLevel::Info, "rig: COLMAP posed " + std::to_string(poses.images.size()) +
                                      " of " + std::to_string(shots.size()) + " photographs");
   return poses;
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -12,7 +12,7 @@
 #include "files/folder_lock.h"
 #include "rig/camera.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 
 /// A program on the PATH, or nothing.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
@@ -44,7 +44,7 @@ struct ColmapPoseOptions {
 /// One side as COLMAP sees it: unit and place are free, so no measure in mm may be taken from it
 /// before scaledTo gave it one.
 struct ColmapPoses {
-  std::vector<PosedImage> images;       ///< posed shots only, in the order given
+  std::vector<rig::PosedImage> images;  ///< posed shots only, in the order given
   std::vector<Eigen::Vector3d> points;  ///< sparse, in the same frame
   double reprojection_px = 0;           ///< mean over the points
   bool has_scale = false;
@@ -74,4 +74,4 @@ std::optional<Eigen::Isometry3d> turntableFromCentres(
     const std::vector<std::vector<Eigen::Vector3d>>& centres,
     const std::vector<Eigen::Vector3d>& points);
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

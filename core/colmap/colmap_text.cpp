@@ -6,7 +6,7 @@
 
 #include "colmap/colmap_format.h"
 
-namespace ostraka::rig::colmap_text {
+namespace ostraka::colmap::colmap_text {
 namespace {
 
 Error badLine(std::size_t line, const std::string& where) {
@@ -202,4 +202,4 @@ std::string written(const std::vector<ColmapPoint>& points) {
   return text;
 }
 
-}  // namespace ostraka::rig::colmap_text
+}  // namespace ostraka::colmap::colmap_text

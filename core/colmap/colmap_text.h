@@ -5,7 +5,7 @@
 #include "base/result.h"
 #include "colmap/colmap_files.h"
 
-namespace ostraka::rig::colmap_text {
+namespace ostraka::colmap::colmap_text {
 
 Result<std::vector<ColmapCamera>> cameras(std::string_view text, const std::string& where);
 Result<std::vector<ColmapImage>> images(std::string_view text, const std::string& where);
@@ -14,4 +14,4 @@ std::string written(const std::vector<ColmapCamera>& cameras);
 std::string written(const std::vector<ColmapImage>& images);
 std::string written(const std::vector<ColmapPoint>& points);
 
-}  // namespace ostraka::rig::colmap_text
+}  // namespace ostraka::colmap::colmap_text

@@ -12,7 +12,7 @@
 #include "files/cannot_write.h"
 #include "files/log_file.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace {
 
 constexpr int kNotStarted = 127;  // as the shell says it
@@ -147,4 +147,4 @@ Result<void> runProgram(const std::filesystem::path& program,
                log.string()};
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -7,7 +7,7 @@
 #include "files/json.h"
 #include "files/json_numbers.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 using nlohmann::json;
@@ -237,4 +237,4 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   return table;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -12,7 +12,7 @@
 #include "registration/register_sides.h"
 #include "scan/scan.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 /// A pair of sides whose fractures were compared.
 struct RegisteredCandidate {
@@ -65,4 +65,4 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output);
 const char* name(pairing::Doubt doubt);  ///< "", "self_check", "other_partner", ...
 const char* name(registration::FailedCheck failed_check);  ///< "", "upside_down", ...
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

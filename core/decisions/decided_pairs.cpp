@@ -6,7 +6,7 @@
 
 #include "registration/pose_figures.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 using Eigen::Isometry3d;
@@ -250,4 +250,4 @@ Result<Registration> registerDecided(const PairDecision& decision, const scan::S
   return stands;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

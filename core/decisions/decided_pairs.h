@@ -5,7 +5,7 @@
 
 #include "decisions/pair_sides.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 /// What standing decisions mean for the scans of one table.
 struct Settled {
@@ -40,4 +40,4 @@ Result<registration::Registration> registerDecided(const PairDecision& decision,
                                                    const PairOptions& options, Progress& progress,
                                                    std::stop_token stop);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

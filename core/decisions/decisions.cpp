@@ -9,7 +9,7 @@
 #include "files/json.h"
 #include "files/json_numbers.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -328,4 +328,4 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   return decision;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

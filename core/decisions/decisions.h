@@ -11,7 +11,7 @@
 #include "base/result.h"
 #include "batch/batch.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 enum class DecisionKind {
   Pair,      ///< these two sides are one sherd
@@ -96,4 +96,4 @@ inline constexpr double kSamePiece_mm = 10;
 /// of other photographs are not meant.
 int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

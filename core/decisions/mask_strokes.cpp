@@ -13,7 +13,7 @@
 #include "files/json_numbers.h"
 #include "rig/camera.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,7 +161,8 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) 
         work / (std::string("masks_") + batch::name(image.side)) / maskName(image);
     std::error_code ignored;
     if (!fs::exists(mask, ignored)) continue;
-    all.push_back({image.side, image.camera, image.stop, photographNow(image.file, output), mask});
+    all.push_back(
+        {image.side, image.camera, image.stop, batch::photographNow(image.file, output), mask});
   }
   if (all.empty())
     return Error{ErrorCode::UnusableInput, "This batch has no masks yet; process it first.",
@@ -183,4 +184,4 @@ std::string maskFolder(const fs::path& output, batch::Side side) {
              : std::string("masks_") + batch::name(side);
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

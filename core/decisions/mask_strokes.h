@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "batch/batch.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 enum class MaskPaint { Sherd, Plate };
 
@@ -64,4 +64,4 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const std::filesystem::p
 /// a run has followed, else masks_front.
 std::string maskFolder(const std::filesystem::path& output, batch::Side side);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -9,7 +9,7 @@
 #include "files/json.h"
 #include "pairing/fracture_evidence.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 using nlohmann::ordered_json;
@@ -296,4 +296,4 @@ ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
   return toJson(table, front_refs, back_refs);
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -14,7 +14,7 @@
 #include "registration/register_sides.h"
 #include "scan/scan.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 /// Where a sherd lay says a little about its back: many people turn each over where it lies.
 enum class PlaceEvidence { None, Weak };
@@ -65,4 +65,4 @@ nlohmann::ordered_json toJson(const PairTable& table, std::span<const scan::Scan
 nlohmann::ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
                               const std::vector<ScanRef>& backs);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -6,7 +6,7 @@
 #include "decisions/candidate_table.h"
 #include "scan/fracture.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 using scan::Scan;
@@ -121,4 +121,4 @@ EditedPieces editedPieces(std::vector<Scan> scans, batch::Side side, const Decis
   return edited;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -5,7 +5,7 @@
 #include "decisions/decisions.h"
 #include "scan/scan.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 struct EditedPieces {
   std::vector<scan::Scan> scans;
@@ -22,4 +22,4 @@ EditedPieces editedPieces(std::vector<scan::Scan> scans, batch::Side side,
 /// True when such decisions exist for this side.
 bool hasEdits(const Decisions& standing, batch::Side side);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -13,7 +13,7 @@
 #include "files/files.h"
 #include "scan/fracture.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ bool standOnPlate(std::span<const scan::Scan> scans) {
   });
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

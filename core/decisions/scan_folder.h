@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "scan/scan.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 
 /// Scans that were split already: one PLY per sherd, oriented points, mm. Points that are no
 /// measurement (far outside of all others, or several at 0, 0, 0) are left out with a warning, and
@@ -39,4 +39,4 @@ bool holdsScans(const std::filesystem::path& batch);
 /// 0.6 mm above the plate, and up to 4 mm where the lowest strip is hidden.
 bool standOnPlate(std::span<const scan::Scan> scans);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 /// A line to a controller: USB, a serial port or TCP. Errors name it; Missing means that it is
 /// gone.
@@ -36,4 +36,4 @@ Result<std::unique_ptr<ByteChannel>> openUsb(const std::string& vendor_and_produ
 /// "usb:1209:0001", "tcp:host:port", or the path of a serial port.
 Result<std::unique_ptr<ByteChannel>> openChannel(const std::string& name, int baud);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

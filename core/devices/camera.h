@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 struct CameraId {
   std::string driver;  ///< "gphoto2", "uvc", "folder" or "virtual"
@@ -63,4 +63,4 @@ class Camera {
   virtual Result<void> close() = 0;
 };
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

@@ -4,7 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 class SteadyClock final : public Clock {
@@ -28,4 +28,4 @@ std::shared_ptr<Clock> steadyClock() {
   return std::make_shared<SteadyClock>();
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

@@ -2,7 +2,7 @@
 #include <memory>
 #include <stop_token>
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 /// Time as the drivers and the sequence see it. Handed in, so that tests of a thousand stops with
 /// time-outs take seconds.
@@ -17,4 +17,4 @@ class Clock {
 /// The computer's steady clock; a request to stop ends a sleep at once.
 std::shared_ptr<Clock> steadyClock();
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

@@ -1,6 +1,6 @@
 #include "devices/conversation.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 constexpr std::size_t kLongestMessage = 512;  // longer ones are noise on the line
@@ -48,4 +48,4 @@ Result<std::optional<std::string>> Conversation::next(double timeout_s, std::sto
   return message;
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

@@ -7,7 +7,7 @@
 #include "devices/byte_channel.h"
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 /// Text back and forth over a channel that cuts it anywhere.
 class Conversation {
@@ -44,4 +44,4 @@ class Conversation {
   std::deque<std::string> messages_;
 };
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

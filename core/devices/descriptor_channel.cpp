@@ -18,7 +18,7 @@
 
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 constexpr double kWrite_s = 2;    // nobody takes bytes for so long: the line is dead
@@ -218,4 +218,4 @@ Result<std::unique_ptr<ByteChannel>> openChannel(const std::string& name, int ba
   return openSerial(name, baud);
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

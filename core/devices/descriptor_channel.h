@@ -5,10 +5,10 @@
 
 #include "devices/byte_channel.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 /// A channel over a file descriptor that can be polled; open gives a fresh one.
 std::unique_ptr<ByteChannel> makeDescriptorChannel(std::string name, int descriptor,
                                                    std::function<Result<int>()> open);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

@@ -10,7 +10,7 @@
 #include <optional>
 #include <tuple>
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 namespace fs = std::filesystem;
@@ -189,4 +189,4 @@ std::vector<FoundDevice> findDevices(const SystemFolders& folders) {
   return found;
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

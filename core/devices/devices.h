@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 enum class DeviceKind { Camera, Turntable, VideoCamera };
 std::string name(DeviceKind kind);
@@ -34,4 +34,4 @@ std::vector<FoundDevice> findDevices(const SystemFolders& folders);
 std::vector<std::string> holdersOf(const std::filesystem::path& device_file,
                                    const SystemFolders& folders);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

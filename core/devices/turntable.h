@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 /// Tells a person to do something at the rig ("Turn the table to 90 degrees.") and waits; false
 /// when they would rather stop.
@@ -51,4 +51,4 @@ class Turntable {
   virtual void close() = 0;
 };
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

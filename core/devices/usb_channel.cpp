@@ -9,7 +9,7 @@
 #include "devices/byte_channel.h"
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 constexpr double kUsbReopen_s = 2;           // a device needs a moment after it was plugged in
@@ -261,4 +261,4 @@ Result<std::unique_ptr<ByteChannel>> openUsb(const std::string& vendor_and_produ
   return std::unique_ptr<ByteChannel>(std::move(channel));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

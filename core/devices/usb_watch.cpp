@@ -9,7 +9,7 @@
 
 #include "devices/clock.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 using How = UsbWatchOptions::How;
@@ -109,4 +109,4 @@ Result<std::unique_ptr<UsbWatch>> watchUsb(std::function<void()> changed,
       std::make_unique<LibusbWatch>(context, std::move(changed), options));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 
 struct UsbWatchOptions {
   enum class How { Events, Polling };
@@ -25,4 +25,4 @@ class UsbWatch {
 Result<std::unique_ptr<UsbWatch>> watchUsb(std::function<void()> changed,
                                            const UsbWatchOptions& options);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

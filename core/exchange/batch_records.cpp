@@ -38,27 +38,27 @@ std::string exportedAs(const std::string& path, const std::string& batch) {
 
 class Writing {
  public:
-  Writing(const Catalogue& catalogue, const std::vector<BagFile>& exported)
+  Writing(const Catalogue& catalogue, const std::vector<archive::BagFile>& exported)
       : catalogue_(catalogue) {
-    for (const BagFile& file : exported) exported_.insert(file.path);
+    for (const archive::BagFile& file : exported) exported_.insert(file.path);
   }
 
-  Result<ordered_json> batch(BatchRow row) {
-    const Result<BatchRecord> b = catalogue_.batch(row);
+  Result<ordered_json> batch(store::BatchRow row) {
+    const Result<records::BatchRecord> b = catalogue_.batch(row);
     if (!b) return b.error();
     if (persons_.empty()) {
       const auto persons = catalogue_.persons();
       if (!persons) return persons.error();
-      for (const PersonRecord& p : *persons) persons_[p.row] = p.id;
+      for (const records::PersonRecord& p : *persons) persons_[p.row] = p.id;
       const auto bags = catalogue_.bags();
       if (!bags) return bags.error();
-      for (const BagRecord& bag : *bags) bag_ids_[bag.row] = bag.id;
+      for (const records::BagRecord& bag : *bags) bag_ids_[bag.row] = bag.id;
     }
     ordered_json one = {{"id", b->id}, {"number", b->number}};
-    one["state"] = wordOf(b->state);
+    one["state"] = records::wordOf(b->state);
     one["counted"] = b->counted;
     put(one, "operator", persons_[b->operator_]);
-    for (const BagRow& bag : b->bags) one["bags"].push_back(bag_ids_[bag]);
+    for (const store::BagRow& bag : b->bags) one["bags"].push_back(bag_ids_[bag]);
     put(one, "started_ms", b->started_ms);
     put(one, "ended_ms", b->ended_ms);
     put(one, "reprojection_px", b->reprojection_px);
@@ -78,14 +78,14 @@ class Writing {
   }
 
  private:
-  std::string scanId(ScanRow row) const { return row ? ids_.scans.at(row) : std::string(); }
+  std::string scanId(store::ScanRow row) const { return row ? ids_.scans.at(row) : std::string(); }
 
-  Result<void> photographs(const BatchRecord& b, ordered_json& one) {
+  Result<void> photographs(const records::BatchRecord& b, ordered_json& one) {
     const auto all = catalogue_.photographs(b.row);
     if (!all) return all.error();
-    for (const PhotographRecord& p : *all) {
+    for (const records::PhotographRecord& p : *all) {
       ordered_json out = {{"id", ids_.photographs[p.row]},
-                          {"side", wordOf(p.side)},
+                          {"side", records::wordOf(p.side)},
                           {"camera", std::string(1, p.camera)},
                           {"stop", p.stop},
                           {"take", p.take},
@@ -101,13 +101,13 @@ class Writing {
     return {};
   }
 
-  Result<void> scans(const BatchRecord& b, ordered_json& one) {
+  Result<void> scans(const records::BatchRecord& b, ordered_json& one) {
     const auto all = catalogue_.scans(b.row);
     if (!all) return all.error();
-    for (const ScanRecord& s : *all) {
-      ordered_json out = {{"id", ids_.scans[s.row]}, {"side", wordOf(s.side)},
+    for (const records::ScanRecord& s : *all) {
+      ordered_json out = {{"id", ids_.scans[s.row]}, {"side", records::wordOf(s.side)},
                           {"index", s.index},        {"name", s.name},
-                          {"path", s.path},          {"state", wordOf(s.state)}};
+                          {"path", s.path},          {"state", records::wordOf(s.state)}};
       put(out, "points", s.points);
       put(out, "coverage_pct", s.coverage_pct);
       put(out, "plate_x_mm", s.plate_x_mm);
@@ -117,12 +117,13 @@ class Writing {
     return {};
   }
 
-  Result<void> decisions(const BatchRecord& b, ordered_json& one) {
+  Result<void> decisions(const records::BatchRecord& b, ordered_json& one) {
     const auto all = catalogue_.decisions(b.row);
     if (!all) return all.error();
-    for (const PairDecision& d : *all) {
-      ordered_json out = {
-          {"id", ids_.decisions[d.row]}, {"at_ms", d.at_ms}, {"verdict", wordOf(d.verdict)}};
+    for (const records::PairDecision& d : *all) {
+      ordered_json out = {{"id", ids_.decisions[d.row]},
+                          {"at_ms", d.at_ms},
+                          {"verdict", records::wordOf(d.verdict)}};
       put(out, "by", persons_[d.by]);
       put(out, "front", scanId(d.front));
       put(out, "back", scanId(d.back));
@@ -139,7 +140,7 @@ class Writing {
     return {};
   }
 
-  Result<void> pieces(const BatchRecord& b, ordered_json& one) {
+  Result<void> pieces(const records::BatchRecord& b, ordered_json& one) {
     const auto all = pieceRows(catalogue_, b.row);
     if (!all) return all.error();
     for (const PieceRow& d : *all) {
@@ -155,10 +156,10 @@ class Writing {
     return {};
   }
 
-  Result<void> files(const BatchRecord& b, ordered_json& one) {
+  Result<void> files(const records::BatchRecord& b, ordered_json& one) {
     const auto all = catalogue_.files(b.row);
     if (!all) return all.error();
-    for (const FileRecord& f : *all) {
+    for (const records::FileRecord& f : *all) {
       const std::string at = exportedAs(f.path, b.number);
       if (f.role != "photo" || !exported_.contains("data/" + at)) continue;
       one["files"].push_back({{"id", f.id},
@@ -173,23 +174,23 @@ class Writing {
 
   const Catalogue& catalogue_;
   std::set<std::string> exported_;
-  std::map<PersonRow, std::string> persons_;
-  std::map<BagRow, std::string> bag_ids_;
+  std::map<store::PersonRow, std::string> persons_;
+  std::map<store::BagRow, std::string> bag_ids_;
   BatchIds ids_;  ///< of the present batch
 };
 
 class Entering {
  public:
   Entering(Catalogue& catalogue, const std::map<std::string, std::int64_t>& rows,
-           const Provenance& provenance)
+           const records::Provenance& provenance)
       : catalogue_(catalogue), rows_(rows), provenance_(provenance) {}
 
   Result<void> batch(const json& b) {
-    BatchRecord batch;
+    records::BatchRecord batch;
     batch.id = text(b, "id");
     batch.note = text(b, "note");
     batch.number = number_ = text(b, "number");
-    const Result<std::optional<BatchRecord>> there = catalogue_.batchById(batch.id);
+    const Result<std::optional<records::BatchRecord>> there = catalogue_.batchById(batch.id);
     if (!there) return there.error();
     if (*there) {
       read.numbers[number_] = (*there)->number;
@@ -202,9 +203,9 @@ class Entering {
       batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
     }
     read.numbers[number_] = batch.number;
-    batch.state = fromWord<BatchState>(text(b, "state"));
+    batch.state = records::fromWord<records::BatchState>(text(b, "state"));
     // What was under way there is neither photographed on nor computed here by itself.
-    if (batch.state < BatchState::Review) batch.state = BatchState::Failed;
+    if (batch.state < records::BatchState::Review) batch.state = records::BatchState::Failed;
     batch.counted = wholeOr(b, "counted", 0);
     batch.operator_ = {row(b, "operator")};
     for (const json& id : listOf(b, "bags")) {
@@ -219,7 +220,7 @@ class Entering {
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");
-    const Result<BatchRow> added = catalogue_.addBatch(batch, provenance_);
+    const Result<store::BatchRow> added = catalogue_.addBatch(batch, provenance_);
     if (!added) return added.error();
     read.fresh.insert(*added);
     for (const json& p : listOf(b, "photographs"))
@@ -260,10 +261,10 @@ class Entering {
     return found == own_.end() ? 0 : found->second;
   }
 
-  Result<void> photograph(const json& p, BatchRow batch) {
-    PhotographRecord photograph;
+  Result<void> photograph(const json& p, store::BatchRow batch) {
+    records::PhotographRecord photograph;
     photograph.batch = batch;
-    photograph.side = fromWord<batch::Side>(text(p, "side"));
+    photograph.side = records::fromWord<batch::Side>(text(p, "side"));
     const std::string camera = text(p, "camera");
     photograph.camera = camera.empty() ? 'A' : camera[0];
     photograph.stop = wholeAt(p, "stop");
@@ -279,10 +280,10 @@ class Entering {
     return saved ? Result<void>() : saved.error();
   }
 
-  Result<void> scan(const json& s, BatchRow batch) {
-    ScanRecord scan;
+  Result<void> scan(const json& s, store::BatchRow batch) {
+    records::ScanRecord scan;
     scan.batch = batch;
-    scan.side = fromWord<batch::Side>(text(s, "side"));
+    scan.side = records::fromWord<batch::Side>(text(s, "side"));
     scan.index = wholeAt(s, "index");
     scan.name = text(s, "name");
     scan.path = here(text(s, "path"));
@@ -290,22 +291,22 @@ class Entering {
     take(s, "coverage_pct", scan.coverage_pct);
     take(s, "plate_x_mm", scan.plate_x_mm);
     take(s, "plate_y_mm", scan.plate_y_mm);
-    scan.state = fromWord<ScanState>(text(s, "state"));
-    const Result<ScanRow> saved = restoreScan(catalogue_, scan, text(s, "id"), provenance_);
+    scan.state = records::fromWord<records::ScanState>(text(s, "state"));
+    const Result<store::ScanRow> saved = restoreScan(catalogue_, scan, text(s, "id"), provenance_);
     if (!saved) return saved.error();
     own_[text(s, "id")] = saved->value;
     return {};
   }
 
-  Result<void> decision(const json& d, BatchRow batch) {
-    PairDecision decision;
+  Result<void> decision(const json& d, store::BatchRow batch) {
+    records::PairDecision decision;
     decision.at_ms = wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX);
     decision.batch = batch;
     decision.by = {row(d, "by")};
     decision.front = {own(d, "front")};
     decision.back = {own(d, "back")};
     decision.replaces = {own(d, "replaces")};
-    decision.verdict = fromWord<Verdict>(text(d, "verdict"));
+    decision.verdict = records::fromWord<records::Verdict>(text(d, "verdict"));
     if (d.contains("T_front_from_back")) {
       const auto pose = isometryFromJson(d.at("T_front_from_back"), "metadata/batches.json");
       if (!pose) return pose.error();
@@ -317,17 +318,17 @@ class Entering {
     take(d, "fracture_overlap", decision.fracture_overlap);
     decision.ambiguous = d.value("ambiguous", false);
     decision.note = text(d, "note");
-    const Result<DecisionRow> saved = restoreDecision(catalogue_, decision, text(d, "id"));
+    const Result<store::DecisionRow> saved = restoreDecision(catalogue_, decision, text(d, "id"));
     if (!saved) return saved.error();
     own_[text(d, "id")] = saved->value;
     return {};
   }
 
-  Result<void> file(const json& f, BatchRow batch) {
+  Result<void> file(const json& f, store::BatchRow batch) {
     const Result<ContainedPath> place =
-        importPlace(here(text(f, "path")), read.numbers.at(number_));
+        tables::importPlace(here(text(f, "path")), read.numbers.at(number_));
     if (!place) return place.error();
-    FileRecord file;
+    records::FileRecord file;
     file.id = text(f, "id");
     file.path = place->text();
     file.sha256 = text(f, "sha256");
@@ -343,18 +344,19 @@ class Entering {
 
   Catalogue& catalogue_;
   const std::map<std::string, std::int64_t>& rows_;
-  const Provenance& provenance_;
+  const records::Provenance& provenance_;
   std::map<std::string, std::int64_t> own_;  ///< id -> row of scans and decisions
   std::string number_;                       ///< of the present batch in the export
 };
 
 }  // namespace
 
-Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<BatchRow>& batches,
-                                 const std::vector<BagFile>& exported) {
+Result<ordered_json> batchesJson(const Catalogue& catalogue,
+                                 const std::set<store::BatchRow>& batches,
+                                 const std::vector<archive::BagFile>& exported) {
   ordered_json list = ordered_json::array();
   Writing writing(catalogue, exported);
-  for (const BatchRow row : batches) {
+  for (const store::BatchRow row : batches) {
     Result<ordered_json> one = writing.batch(row);
     if (!one) return one.error();
     list.push_back(std::move(*one));
@@ -364,7 +366,7 @@ Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<Batc
 
 Result<ReadBatches> readBatches(Catalogue& catalogue, const json& batches,
                                 const std::map<std::string, std::int64_t>& rows,
-                                const Provenance& provenance) {
+                                const records::Provenance& provenance) {
   Entering entering(catalogue, rows, provenance);
   for (const json& b : batches.at("batches"))
     if (const Result<void> done = entering.batch(b); !done) return done.error();

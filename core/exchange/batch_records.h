@@ -14,8 +14,8 @@ namespace ostraka::exchange {
 /// metadata/batches.json: batches with their bags, photographs, scans and all decisions about their
 /// pairs. `exported`: the files of the bag so far; photographs that travel along are named.
 Result<nlohmann::ordered_json> batchesJson(const catalogue::Catalogue& catalogue,
-                                           const std::set<catalogue::BatchRow>& batches,
-                                           const std::vector<BagFile>& exported);
+                                           const std::set<store::BatchRow>& batches,
+                                           const std::vector<archive::BagFile>& exported);
 
 struct FileCopy {
   std::string from;  ///< relative to data/ of the export
@@ -24,7 +24,7 @@ struct FileCopy {
 struct ReadBatches {
   std::vector<FileCopy> copies;                ///< the files that belong to what entered
   std::map<std::string, std::string> numbers;  ///< of the export -> in the project
-  std::set<catalogue::BatchRow> fresh;         ///< that were not there before
+  std::set<store::BatchRow> fresh;             ///< that were not there before
 };
 /// Batches that are not there yet enter whole, with their ids; the others stay as they are. Where
 /// the project has another batch of the same number (two laptops begin with B0001 each), the
@@ -32,6 +32,6 @@ struct ReadBatches {
 /// json::exception where something is not as written.
 Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const nlohmann::json& batches,
                                 const std::map<std::string, std::int64_t>& rows,
-                                const catalogue::Provenance& provenance);
+                                const records::Provenance& provenance);
 
 }  // namespace ostraka::exchange

@@ -6,8 +6,8 @@
 
 namespace ostraka::exchange {
 
-using catalogue::SherdRecord;
 using drawing::RimChoice;
+using records::SherdRecord;
 
 drawing::RimChoice rimChoiceOf(const SherdRecord& sherd) {
   const auto names = [&](const char* part) {
@@ -26,11 +26,11 @@ std::string nameOf(const SherdRecord& sherd) {
   return "sherd " + std::to_string(sherd.piece) + " of " + sherd.batch_number;
 }
 
-Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, catalogue::SherdRow sherd,
+Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
                               drawing::HandMeasures& by_hand) {
   const auto measured = catalogue.measuredByHand({&sherd, 1});
   if (!measured) return measured.error();
-  for (const catalogue::Measurement& m : *measured) {
+  for (const records::Measurement& m : *measured) {
     by_hand[m.kind] = {m.value, {}};
     if (m.uncertainty && *m.uncertainty < m.value)
       by_hand[m.kind].interval = {m.value - *m.uncertainty, m.value + *m.uncertainty};
@@ -59,7 +59,7 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
   if (Result<void> read = takeHandMeasures(catalogue, sherd.row, how.by_hand); !read)
     return read.error();
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
-  if (sherd.state == catalogue::SherdState::Void)
+  if (sherd.state == records::SherdState::Void)
     how.remarks.push_back(sherd.void_reason.empty()
                               ? "This sherd is void."
                               : "This sherd is void; reason: " + sherd.void_reason);
@@ -78,7 +78,7 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
 
 Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
                                const std::filesystem::path& project,
-                               std::span<const catalogue::SherdRow> rows,
+                               std::span<const store::SherdRow> rows,
                                const DrawSherdsOptions& options, Progress& progress,
                                std::stop_token stop) {
   if (const Result<void> good = options.drawing.check(); !good) return good.error();
@@ -89,7 +89,7 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
   for (const SherdRecord& sherd : *sherds) {
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(done++, static_cast<std::int64_t>(sherds->size()));
-    if (sherd.state == catalogue::SherdState::Void && rows.size() > 1) {
+    if (sherd.state == records::SherdState::Void && rows.size() > 1) {
       all.left_out.push_back({sherd.row, nameOf(sherd), leftOutAsVoid(sherd)});
       continue;
     }

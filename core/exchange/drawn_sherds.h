@@ -15,7 +15,7 @@ namespace ostraka::exchange {
 
 /// Yes where the parts name a rim, a whole profile or a whole vessel; No where they name others
 /// only; Propose where nothing is said, or a lid.
-drawing::RimChoice rimChoiceOf(const catalogue::SherdRecord& sherd);
+drawing::RimChoice rimChoiceOf(const records::SherdRecord& sherd);
 
 struct DrawSherdsOptions {
   drawing::DrawingOptions drawing;  ///< its rim counts only where the next line says so
@@ -27,27 +27,27 @@ struct DrawSherdsOptions {
 /// a sherd is void. What persons measured is printed instead of the model's measures. Errors: no
 /// model, a file that cannot be read, a model that is not closed.
 Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
-                                        const catalogue::SherdRecord& sherd,
+                                        const records::SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options);
 
 /// Why a void sherd is in no plate and in no export's drawings; a sentence with its name.
-std::string leftOutAsVoid(const catalogue::SherdRecord& sherd);
+std::string leftOutAsVoid(const records::SherdRecord& sherd);
 
 struct SherdLeftOut {
-  catalogue::SherdRow sherd;
+  store::SherdRow sherd;
   std::string id, why;  ///< a sentence
 };
 struct DrawnSherds {
   std::vector<drawing::SherdDrawing> drawings;
-  std::vector<catalogue::SherdRow> rows;  ///< of the drawings, in the same order
+  std::vector<store::SherdRow> rows;  ///< of the drawings, in the same order
   std::vector<SherdLeftOut> left_out;
 };
 /// In the order of the rows; what cannot be drawn is left out and named, and so is what is void,
 /// unless it is the only one. Errors: Cancelled, the catalogue cannot be read.
 Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
                                const std::filesystem::path& project,
-                               std::span<const catalogue::SherdRow> rows,
+                               std::span<const store::SherdRow> rows,
                                const DrawSherdsOptions& options, Progress& progress,
                                std::stop_token stop);
 

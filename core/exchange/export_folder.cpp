@@ -37,7 +37,7 @@ double saidOf(double off_mm) {
 
 class Exporting {
  public:
-  Exporting(const Catalogue& catalogue, const ExportOptions& options, BagWriter& bag,
+  Exporting(const Catalogue& catalogue, const ExportOptions& options, archive::BagWriter& bag,
             Progress& progress, std::stop_token stop)
       : catalogue_(catalogue),
         options_(options),
@@ -45,9 +45,9 @@ class Exporting {
         progress_(progress),
         stop_(std::move(stop)) {}
 
-  Result<Exported> run(const std::vector<SherdRecord>& sherds, const ExportPlan& plan,
-                       std::span<const SherdRow> rows) {
-    const Result<ProjectRecord> project = catalogue_.project();
+  Result<Exported> run(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
+                       std::span<const store::SherdRow> rows) {
+    const Result<records::ProjectRecord> project = catalogue_.project();
     if (!project) return project.error();
     total_ =
         static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size() +
@@ -62,7 +62,7 @@ class Exporting {
     for (const MetadataFile& file : *beside)
       if (const auto added = bag_.add(file.path, file.text); !added) return added.error();
     const auto read_again = [this](const fs::path& written) -> Result<void> {
-      const auto whole = checkBag(written, progress_, stop_);
+      const auto whole = archive::checkBag(written, progress_, stop_);
       return whole ? Result<void>() : whole.error();
     };
     const Result<void> finished = bag_.finish({{"Source-Organization", project->institution},
@@ -79,14 +79,14 @@ class Exporting {
   }
 
  private:
-  Result<void> copy(const std::vector<SherdRecord>& sherds, const ExportPlan& plan,
+  Result<void> copy(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
                     const std::string& licence) {
-    std::map<SherdRow, const SherdRecord*> by_row;
-    std::map<BatchRow, std::string> scale_doubts;
-    for (const SherdRecord& sherd : sherds) {
+    std::map<store::SherdRow, const records::SherdRecord*> by_row;
+    std::map<store::BatchRow, std::string> scale_doubts;
+    for (const records::SherdRecord& sherd : sherds) {
       by_row[sherd.row] = &sherd;
       if (!sherd.batch || scale_doubts.contains(sherd.batch)) continue;
-      const Result<BatchRecord> batch = catalogue_.batch(sherd.batch);
+      const Result<records::BatchRecord> batch = catalogue_.batch(sherd.batch);
       if (!batch) return batch.error();
       scale_doubts[sherd.batch] = batch->scale_doubts;
     }
@@ -99,9 +99,10 @@ class Exporting {
         continue;
       }
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
-      const Result<BagFile> added = whole ? bag_.addFile(file.to, file.from, stop_)
-                                          : addModel(file, *by_row[file.sherd], licence,
-                                                     scale_doubts[by_row[file.sherd]->batch]);
+      const Result<archive::BagFile> added =
+          whole ? bag_.addFile(file.to, file.from, stop_)
+                : addModel(file, *by_row[file.sherd], licence,
+                           scale_doubts[by_row[file.sherd]->batch]);
       if (!added) return added.error();
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
         exported_.warnings.push_back(file.from.string() +
@@ -111,8 +112,8 @@ class Exporting {
     return {};
   }
 
-  Result<BagFile> addModel(const PlannedFile& file, const SherdRecord& sherd,
-                           const std::string& licence, const std::string& scale_doubts) {
+  Result<archive::BagFile> addModel(const PlannedFile& file, const records::SherdRecord& sherd,
+                                    const std::string& licence, const std::string& scale_doubts) {
     Result<std::string> bytes = readFile(file.from);
     if (!bytes) return bytes.error();
     if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
@@ -141,7 +142,7 @@ class Exporting {
   }
 
   // A sherd's files come one after the other: its lighter model is made once for all of them.
-  const Result<LighterModel>& lightened(const SherdRecord& sherd, const std::string& ply,
+  const Result<LighterModel>& lightened(const records::SherdRecord& sherd, const std::string& ply,
                                         const std::string& where) {
     if (lighter_of_ == sherd.row) return lighter_;
     lighter_of_ = sherd.row;
@@ -154,7 +155,8 @@ class Exporting {
     return lighter_ = LighterModel{std::move(model->mesh), 0};
   }
 
-  void name(SherdRow sherd, const std::string& role, const std::string& to, const BagFile& added) {
+  void name(store::SherdRow sherd, const std::string& role, const std::string& to,
+            const archive::BagFile& added) {
     files_[sherd].push_back({role, to, added.sha256, added.bytes});
     auto& named = named_[sherd];
     if (role == "model") named.try_emplace("model_file", to);
@@ -165,7 +167,7 @@ class Exporting {
   Result<void> draw(const ExportPlan& plan, const std::string& title) {
     for (const std::string& why : plan.notDrawn())
       exported_.warnings.push_back("Not drawn: " + why);
-    for (const SherdRecord* sherd : plan.drawn()) {
+    for (const records::SherdRecord* sherd : plan.drawn()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_, total_);
       done_ += kDrawingAsCopies;
@@ -182,7 +184,7 @@ class Exporting {
       for (const auto& [path, bytes] :
            {std::pair(to + ".svg", formatSvg(pages.front(), sherd->number)),
             std::pair(to + ".pdf", formatPdf(pages, sherd->number))}) {
-        const Result<BagFile> added = bag_.add(path, bytes);
+        const Result<archive::BagFile> added = bag_.add(path, bytes);
         if (!added) return added.error();
         name(sherd->row, "drawing", path, *added);
       }
@@ -192,7 +194,7 @@ class Exporting {
 
   Result<void> views(const ExportPlan& plan) {
     const auto batches = plan.viewed();
-    const fs::path scratch = folderNamed(options_.target).string() + ".views";
+    const fs::path scratch = archive::folderNamed(options_.target).string() + ".views";
     for (const auto& [row, number] : batches) {
       progress_.report(done_, total_);
       done_ += kViewAsCopies *
@@ -209,9 +211,9 @@ class Exporting {
   }
 
   // Of the models that go along; to read all others for a table would take hours.
-  Result<void> centres(const std::vector<SherdRecord>& sherds, const fs::path& project) {
+  Result<void> centres(const std::vector<records::SherdRecord>& sherds, const fs::path& project) {
     if (!options_.forms.contains(Form::Csv) && !options_.forms.contains(Form::Ods)) return {};
-    for (const SherdRecord& sherd : sherds) {
+    for (const records::SherdRecord& sherd : sherds) {
       const auto named = named_.find(sherd.row);
       if (named == named_.end() || !named->second.contains("model_file")) continue;
       if (stop_.stop_requested()) return Error::cancelled();
@@ -220,16 +222,17 @@ class Exporting {
       const Eigen::Vector3d centre = model::volumeMoment(model->mesh).centre;
       for (int axis = 0; axis < 3; ++axis)
         named->second[std::string("mass_centre_") + "xyz"[axis] + "_mm"] =
-            numberText(std::round(100 * centre[axis]) / 100);
+            store::numberText(std::round(100 * centre[axis]) / 100);
     }
     return {};
   }
 
-  Result<void> tables(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {
-    std::set<ContextRow> contexts;
-    for (const SherdRecord& sherd : sherds)
+  Result<void> tables(const std::vector<records::SherdRecord>& sherds,
+                      std::span<const store::SherdRow> rows) {
+    std::set<store::ContextRow> contexts;
+    for (const records::SherdRecord& sherd : sherds)
       if (sherd.context) contexts.insert(sherd.context);
-    const std::vector<ContextRow> list(contexts.begin(), contexts.end());
+    const std::vector<store::ContextRow> list(contexts.begin(), contexts.end());
     const auto put = [&](const char* name, const Result<std::string>& bytes) -> Result<void> {
       if (!bytes) return bytes.error();
       const auto added = bag_.add(name, *bytes);
@@ -246,10 +249,11 @@ class Exporting {
     return put("sherds.ods", tablesOds(catalogue_, rows, list, named_));
   }
 
-  Result<void> records(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {
+  Result<void> records(const std::vector<records::SherdRecord>& sherds,
+                       std::span<const store::SherdRow> rows) {
     if (Result<void> done = tables(sherds, rows); !done) return done;
     if (!options_.forms.contains(Form::Json)) return {};
-    for (const SherdRecord& sherd : sherds) {
+    for (const records::SherdRecord& sherd : sherds) {
       if (stop_.stop_requested()) return Error::cancelled();
       const Result<std::string> text =
           sherdJson(catalogue_, sherd, files_[sherd.row], options_.program);
@@ -262,21 +266,21 @@ class Exporting {
 
   const Catalogue& catalogue_;
   const ExportOptions& options_;
-  BagWriter& bag_;
+  archive::BagWriter& bag_;
   Progress& progress_;
   std::stop_token stop_;
   Exported exported_;
   std::int64_t done_ = 0, total_ = 0;
-  SherdRow lighter_of_;
+  store::SherdRow lighter_of_;
   Result<LighterModel> lighter_ = LighterModel();
-  std::map<SherdRow, std::vector<SherdFile>> files_;
+  std::map<store::SherdRow, std::vector<SherdFile>> files_;
   FilesOfSherds named_;
 };
 
 }  // namespace
 
 Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& project,
-                              std::span<const SherdRow> rows, const ExportOptions& options,
+                              std::span<const store::SherdRow> rows, const ExportOptions& options,
                               Progress& progress, std::stop_token stop) {
   if (rows.empty())
     return Error{ErrorCode::UnusableInput, "No sherds to export; select some first.", {}};
@@ -284,9 +288,9 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
   // Tables, records and names of files agree, whatever is edited meanwhile.
   const Result<void> all = catalogue.inSnapshot([&]() -> Result<void> {
     ExportPlan plan(catalogue, project, options);
-    const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
+    const Result<std::vector<records::SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
     if (!sherds) return sherds.error();
-    Result<BagWriter> bag = BagWriter::begin(options.target);
+    Result<archive::BagWriter> bag = archive::BagWriter::begin(options.target);
     if (!bag) return bag.error();
     Result<Exported> done =
         Exporting(catalogue, options, *bag, progress, stop).run(*sherds, plan, rows);

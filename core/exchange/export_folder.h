@@ -33,7 +33,7 @@ struct ExportOptions {
   std::set<Form> forms = {Form::Csv, Form::Json, Form::Ply, Form::Glb, Form::Pictures};
   /// Drawings made for sherds beforehand; each is copied to drawings/SLUG.ending. Sherds that have
   /// none here are drawn when drawings are wanted: SVG and PDF, a sheet each.
-  std::map<catalogue::SherdRow, std::vector<std::filesystem::path>> drawings;
+  std::map<store::SherdRow, std::vector<std::filesystem::path>> drawings;
   /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
   std::optional<double> drawing_scale = 1;
   drawing::Wording wording;         ///< of the drawings
@@ -55,7 +55,7 @@ struct ExportSize {
 /// Views are a rough figure. Errors: those of the catalogue, Cancelled.
 Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& project,
-                                std::span<const catalogue::SherdRow> sherds,
+                                std::span<const store::SherdRow> sherds,
                                 const ExportOptions& options, std::stop_token stop);
 
 /// Beside the files that the manifest lists: itself, its own checksums and two with the bag's data.
@@ -72,27 +72,25 @@ struct Exported {
 /// or since it was written, a full disk, Cancelled.
 Result<Exported> exportFolder(const catalogue::Catalogue& catalogue,
                               const std::filesystem::path& project,
-                              std::span<const catalogue::SherdRow> sherds,
-                              const ExportOptions& options, Progress& progress,
-                              std::stop_token stop);
+                              std::span<const store::SherdRow> sherds, const ExportOptions& options,
+                              Progress& progress, std::stop_token stop);
 
 enum class ByteOrderMark { With, Without };  ///< Excel reads UTF-8 only with it
 /// What a table says of a sherd besides its fields: model_file, image_file, drawing_file,
 /// mass_centre_x_mm ...; may be empty.
-using FilesOfSherds = std::map<catalogue::SherdRow, std::map<std::string, std::string>>;
+using FilesOfSherds = std::map<store::SherdRow, std::map<std::string, std::string>>;
 /// The table alone.
 Result<std::string> sherdsCsv(const catalogue::Catalogue& catalogue,
-                              std::span<const catalogue::SherdRow> sherds, ByteOrderMark mark,
+                              std::span<const store::SherdRow> sherds, ByteOrderMark mark,
                               const FilesOfSherds& files = {});
 Result<std::string> contextsCsv(const catalogue::Catalogue& catalogue,
-                                std::span<const catalogue::ContextRow> contexts,
-                                ByteOrderMark mark);
+                                std::span<const store::ContextRow> contexts, ByteOrderMark mark);
 /// What the columns of both mean, and their units.
 std::string columnsCsv(ByteOrderMark mark);
 /// Sherds, contexts and the meanings of the columns as three sheets of an OpenDocument spreadsheet.
 Result<std::string> tablesOds(const catalogue::Catalogue& catalogue,
-                              std::span<const catalogue::SherdRow> sherds,
-                              std::span<const catalogue::ContextRow> contexts,
+                              std::span<const store::SherdRow> sherds,
+                              std::span<const store::ContextRow> contexts,
                               const FilesOfSherds& files);
 
 }  // namespace ostraka::exchange

@@ -11,22 +11,23 @@ namespace fs = std::filesystem;
 
 using namespace catalogue;
 
-std::string slugOf(const SherdRecord& sherd) {
-  if (!sherd.number.empty()) return slug(sherd.number);
-  if (sherd.piece == 0 || sherd.batch_number.empty()) return slug("sherd-" + sherd.id);
-  return slug(sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") + std::to_string(sherd.piece));
+std::string slugOf(const records::SherdRecord& sherd) {
+  if (!sherd.number.empty()) return store::slug(sherd.number);
+  if (sherd.piece == 0 || sherd.batch_number.empty()) return store::slug("sherd-" + sherd.id);
+  return store::slug(sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") +
+                     std::to_string(sherd.piece));
 }
 
 bool isModel(Form form) {
   return form == Form::Ply || form == Form::Glb || form == Form::Obj;
 }
 
-Result<void> ExportPlan::add(const SherdRecord& sherd) {
+Result<void> ExportPlan::add(const records::SherdRecord& sherd) {
   const std::string name = slugOf(sherd);
-  const Result<std::vector<FileRecord>> files = catalogue_.files(sherd.row);
+  const Result<std::vector<records::FileRecord>> files = catalogue_.files(sherd.row);
   if (!files) return files.error();
   std::string glb;
-  for (const FileRecord& file : *files) {
+  for (const records::FileRecord& file : *files) {
     hashes_[file.path] = file.sha256;
     if (file.role == "model" && file.path.ends_with(".glb")) glb = file.path;
   }
@@ -41,42 +42,43 @@ Result<void> ExportPlan::add(const SherdRecord& sherd) {
     return photographs(sherd.batch, sherd.batch_number);
   return {};
 }
-std::map<BatchRow, std::string> ExportPlan::viewed() const {
-  return options_.forms.contains(Form::Views) ? batches_ : std::map<BatchRow, std::string>();
+std::map<store::BatchRow, std::string> ExportPlan::viewed() const {
+  return options_.forms.contains(Form::Views) ? batches_ : std::map<store::BatchRow, std::string>();
 }
 
-void ExportPlan::want(Form form, const SherdRecord& sherd, const char* role, const std::string& to,
-                      const std::string& from) {
+void ExportPlan::want(Form form, const records::SherdRecord& sherd, const char* role,
+                      const std::string& to, const std::string& from) {
   if (from.empty() || !options_.forms.contains(form)) return;
   files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form});
 }
 
 // Drawings are for print; tables and records keep void sherds, with their state.
-void ExportPlan::addDrawing(const SherdRecord& sherd, const std::string& name) {
+void ExportPlan::addDrawing(const records::SherdRecord& sherd, const std::string& name) {
   const auto made = options_.drawings.find(sherd.row);
   if (made == options_.drawings.end() && sherd.model_path.empty()) return;
-  if (sherd.state == SherdState::Void) {
+  if (sherd.state == records::SherdState::Void) {
     not_drawn_.push_back(leftOutAsVoid(sherd));
   } else if (made != options_.drawings.end()) {
     for (const fs::path& file : made->second)
-      files_.push_back({sherd.row,
-                        "drawing",
-                        "drawings/" + name + slug(file.extension().string()).replace(0, 1, "."),
-                        file,
-                        {},
-                        Form::Drawings});
+      files_.push_back(
+          {sherd.row,
+           "drawing",
+           "drawings/" + name + store::slug(file.extension().string()).replace(0, 1, "."),
+           file,
+           {},
+           Form::Drawings});
   } else {
     drawn_.push_back(&sherd);
   }
 }
 
-Result<void> ExportPlan::photographs(BatchRow batch, const std::string& number) {
+Result<void> ExportPlan::photographs(store::BatchRow batch, const std::string& number) {
   if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views))
     return {};
-  const Result<std::vector<FileRecord>> files = catalogue_.files(batch);
+  const Result<std::vector<records::FileRecord>> files = catalogue_.files(batch);
   if (!files) return files.error();
   const std::string folder = "batches/" + number + "/";
-  for (const FileRecord& file : *files) {
+  for (const records::FileRecord& file : *files) {
     if (file.role != "photo") continue;
     if (options_.forms.contains(Form::Views)) viewed_photographs_.push_back(project_ / file.path);
     if (!options_.forms.contains(Form::Photographs)) continue;
@@ -93,18 +95,19 @@ Result<void> ExportPlan::photographs(BatchRow batch, const std::string& number) 
   return {};
 }
 
-Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<const SherdRow> rows,
-                                         ExportPlan& plan, const std::stop_token& stop) {
-  Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
+Result<std::vector<records::SherdRecord>> readAll(const Catalogue& catalogue,
+                                                  std::span<const store::SherdRow> rows,
+                                                  ExportPlan& plan, const std::stop_token& stop) {
+  Result<std::vector<records::SherdRecord>> sherds = catalogue.sherds(rows);
   if (!sherds) return sherds;
-  for (const SherdRecord& sherd : *sherds) {
+  for (const records::SherdRecord& sherd : *sherds) {
     if (stop.stop_requested()) return Error::cancelled();
     if (const Result<void> added = plan.add(sherd); !added) return added.error();
   }
   return sherds;
 }
 
-Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const SherdRecord& sherd,
+Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const records::SherdRecord& sherd,
                              const fs::path& project, const ExportOptions& options,
                              const std::string& title) {
   DrawSherdsOptions how;
@@ -132,7 +135,7 @@ Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const SherdRecord& sher
   return Error{ErrorCode::Failed, "The drawing needs a scale.", sherd.number};
 }
 
-Result<std::string> glbOf(const TriangleMesh& mesh, const SherdRecord& sherd) {
+Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& sherd) {
   GlbExtras extras;
   if (sherd.measures.contains("filled_pct"))
     extras.filled_percent = sherd.measures.at("filled_pct");

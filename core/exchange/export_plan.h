@@ -16,7 +16,7 @@ namespace ostraka::exchange {
 
 /// A sherd's name in an export: its number, or its batch with its place on the batch's map:
 /// B0004-03.
-std::string slugOf(const catalogue::SherdRecord& sherd);
+std::string slugOf(const records::SherdRecord& sherd);
 bool isModel(Form form);
 
 /// The scales that drawings are made at where the sheet decides.
@@ -24,7 +24,7 @@ inline constexpr double kDrawingScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.
 
 /// One file to be copied, and what for.
 struct PlannedFile {
-  catalogue::SherdRow sherd;  ///< none: of a batch
+  store::SherdRow sherd;  ///< none: of a batch
   std::string role, to;
   std::filesystem::path from;
   std::string sha256;  ///< as entered; empty when not known
@@ -38,44 +38,44 @@ class ExportPlan {
              const ExportOptions& options)
       : catalogue_(catalogue), project_(project), options_(options) {}
 
-  Result<void> add(const catalogue::SherdRecord& sherd);
+  Result<void> add(const records::SherdRecord& sherd);
   /// Those whose pictures, masks and poses are wanted.
-  std::map<catalogue::BatchRow, std::string> viewed() const;
+  std::map<store::BatchRow, std::string> viewed() const;
   const std::vector<std::filesystem::path>& viewedPhotographs() const {
     return viewed_photographs_;
   }
   const std::vector<PlannedFile>& files() const { return files_; }
   const std::filesystem::path& project() const { return project_; }
   /// To be drawn; the records outlive the plan.
-  const std::vector<const catalogue::SherdRecord*>& drawn() const { return drawn_; }
+  const std::vector<const records::SherdRecord*>& drawn() const { return drawn_; }
   /// Not drawn, and why.
   const std::vector<std::string>& notDrawn() const { return not_drawn_; }
   /// Of the sherds that were added.
-  const std::map<catalogue::BatchRow, std::string>& batches() const { return batches_; }
+  const std::map<store::BatchRow, std::string>& batches() const { return batches_; }
   int withoutModel() const { return without_model_; }
 
  private:
-  void want(Form form, const catalogue::SherdRecord& sherd, const char* role, const std::string& to,
+  void want(Form form, const records::SherdRecord& sherd, const char* role, const std::string& to,
             const std::string& from);
-  void addDrawing(const catalogue::SherdRecord& sherd, const std::string& name);
-  Result<void> photographs(catalogue::BatchRow batch, const std::string& number);
+  void addDrawing(const records::SherdRecord& sherd, const std::string& name);
+  Result<void> photographs(store::BatchRow batch, const std::string& number);
 
   const catalogue::Catalogue& catalogue_;
   const std::filesystem::path& project_;
   const ExportOptions& options_;
   std::vector<PlannedFile> files_;
-  std::vector<const catalogue::SherdRecord*> drawn_;
+  std::vector<const records::SherdRecord*> drawn_;
   std::vector<std::string> not_drawn_;
   std::vector<std::filesystem::path> viewed_photographs_;
-  std::map<catalogue::BatchRow, std::string> batches_;
+  std::map<store::BatchRow, std::string> batches_;
   std::map<std::string, std::string> hashes_;
   int without_model_ = 0;
 };
 
 /// The records of these sherds; the plan refers to them.
-Result<std::vector<catalogue::SherdRecord>> readAll(const catalogue::Catalogue& catalogue,
-                                                    std::span<const catalogue::SherdRow> rows,
-                                                    ExportPlan& plan, const std::stop_token& stop);
+Result<std::vector<records::SherdRecord>> readAll(const catalogue::Catalogue& catalogue,
+                                                  std::span<const store::SherdRow> rows,
+                                                  ExportPlan& plan, const std::stop_token& stop);
 
 /// A sherd's drawing on its sheets.
 struct DrawnSheets {
@@ -84,11 +84,11 @@ struct DrawnSheets {
 };
 /// Errors: those of drawSherd.
 Result<DrawnSheets> sheetsOf(const catalogue::Catalogue& catalogue,
-                             const catalogue::SherdRecord& sherd,
+                             const records::SherdRecord& sherd,
                              const std::filesystem::path& project, const ExportOptions& options,
                              const std::string& title);
 /// A model as GLB.
-Result<std::string> glbOf(const TriangleMesh& mesh, const catalogue::SherdRecord& sherd);
+Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& sherd);
 /// A model in one of its forms, labelled. bytes: a GLB for that form, a PLY for the others.
 Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
                              const std::string& where);

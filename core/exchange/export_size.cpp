@@ -39,7 +39,7 @@ const auto* middleOf(const List& list, Size size) {
 class Sizing {
  public:
   Sizing(const Catalogue& catalogue, const ExportPlan& plan, const ExportOptions& options,
-         const std::vector<SherdRecord>& sherds, std::stop_token stop)
+         const std::vector<records::SherdRecord>& sherds, std::stop_token stop)
       : catalogue_(catalogue),
         plan_(plan),
         options_(options),
@@ -59,7 +59,7 @@ class Sizing {
   }
 
  private:
-  void add(const std::string& to, std::int64_t bytes, SherdRow sherd = {},
+  void add(const std::string& to, std::int64_t bytes, store::SherdRow sherd = {},
            const std::string& role = {}) {
     files_.push_back({"data/" + to, std::string(kChecksum, '0'), bytes});
     size_.bytes += bytes;
@@ -73,7 +73,7 @@ class Sizing {
                                     (file.form == Form::Glb && file.from.extension() == ".ply"));
     };
     std::vector<PlannedFile> models;
-    std::set<SherdRow> lightened;
+    std::set<store::SherdRow> lightened;
     for (const PlannedFile& file : plan_.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
       std::error_code code;
@@ -132,10 +132,10 @@ class Sizing {
   Result<void> drawings() {
     const auto& drawn = plan_.drawn();
     size_.drawings = static_cast<int>(drawn.size());
-    const Result<ProjectRecord> project = catalogue_.project();
+    const Result<records::ProjectRecord> project = catalogue_.project();
     if (!project) return project.error();
-    std::vector<std::pair<double, const SherdRecord*>> order;
-    for (const SherdRecord* sherd : drawn)
+    std::vector<std::pair<double, const records::SherdRecord*>> order;
+    for (const records::SherdRecord* sherd : drawn)
       order.emplace_back(1 + static_cast<double>(bytesOf(plan_.project() / sherd->model_path)),
                          sherd);
     std::stable_sort(order.begin(), order.end(),
@@ -159,7 +159,7 @@ class Sizing {
       for (std::size_t i = from; i < to; ++i) {
         const double share = order[i].first / size;
         const std::string name = "drawings/" + slugOf(*order[i].second);
-        const SherdRow row = order[i].second->row;
+        const store::SherdRow row = order[i].second->row;
         add(name + ".svg", static_cast<std::int64_t>(svg * share), row, "drawing");
         add(name + ".pdf", static_cast<std::int64_t>(pdf * share), row, "drawing");
       }
@@ -171,10 +171,10 @@ class Sizing {
   Result<void> records() {
     if (sherds_.empty()) return {};
     const std::size_t step = std::max<std::size_t>(1, sherds_.size() / kRecordsRead);
-    std::vector<SherdRow> some;
+    std::vector<store::SherdRow> some;
     std::int64_t record_bytes = 0;
     for (std::size_t i = 0; i < sherds_.size(); i += step) {
-      const SherdRecord& sherd = sherds_[i];
+      const records::SherdRecord& sherd = sherds_[i];
       some.push_back(sherd.row);
       if (!options_.forms.contains(Form::Json)) continue;
       const Result<std::string> text =
@@ -183,14 +183,14 @@ class Sizing {
       record_bytes += static_cast<std::int64_t>(text->size());
     }
     if (options_.forms.contains(Form::Json))
-      for (const SherdRecord& sherd : sherds_)
+      for (const records::SherdRecord& sherd : sherds_)
         add("sherds/" + slugOf(sherd) + ".json",
             record_bytes / static_cast<std::int64_t>(some.size()));
     tables(some);
     return {};
   }
 
-  void tables(const std::vector<SherdRow>& some) {
+  void tables(const std::vector<store::SherdRow>& some) {
     constexpr ByteOrderMark mark = ByteOrderMark::With;
     const auto bytes = [](const Result<std::string>& text) {
       return text ? static_cast<std::int64_t>(text->size()) : std::int64_t{0};
@@ -201,12 +201,12 @@ class Sizing {
                                   static_cast<std::int64_t>(some.size());
     };
     FilesOfSherds named;
-    for (const SherdRow row : some)
+    for (const store::SherdRow row : some)
       for (const SherdFile& file : of_sherds_[row]) named[row][file.role + "_file"] = file.path;
-    std::set<ContextRow> contexts;
-    for (const SherdRecord& sherd : sherds_)
+    std::set<store::ContextRow> contexts;
+    for (const records::SherdRecord& sherd : sherds_)
       if (sherd.context) contexts.insert(sherd.context);
-    const std::vector<ContextRow> places(contexts.begin(), contexts.end());
+    const std::vector<store::ContextRow> places(contexts.begin(), contexts.end());
     if (options_.forms.contains(Form::Csv)) {
       add("sherds.csv",
           all(sherdsCsv(catalogue_, some, mark, named), sherdsCsv(catalogue_, {}, mark)));
@@ -219,7 +219,7 @@ class Sizing {
   }
 
   Result<void> metadata() {
-    const Result<ProjectRecord> project = catalogue_.project();
+    const Result<records::ProjectRecord> project = catalogue_.project();
     if (!project) return project.error();
     const auto beside = metadataOf(catalogue_, sherds_, *project, options_.program, files_);
     if (!beside) return beside.error();
@@ -231,20 +231,20 @@ class Sizing {
   const Catalogue& catalogue_;
   const ExportPlan& plan_;
   const ExportOptions& options_;
-  const std::vector<SherdRecord>& sherds_;
+  const std::vector<records::SherdRecord>& sherds_;
   std::stop_token stop_;
   ExportSize size_;
-  std::vector<BagFile> files_;
-  std::map<SherdRow, std::vector<SherdFile>> of_sherds_;
+  std::vector<archive::BagFile> files_;
+  std::map<store::SherdRow, std::vector<SherdFile>> of_sherds_;
 };
 
 }  // namespace
 
 Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& project,
-                                std::span<const SherdRow> rows, const ExportOptions& options,
+                                std::span<const store::SherdRow> rows, const ExportOptions& options,
                                 std::stop_token stop) {
   ExportPlan plan(catalogue, project, options);
-  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
+  const Result<std::vector<records::SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
   if (!sherds) return sherds.error();
   return Sizing(catalogue, plan, options, *sherds, stop).run();
 }

@@ -75,11 +75,11 @@ constexpr const char* kBag =
     "\nThe folder is a bag as defined in RFC 8493. In the folder above this one, `sha256sum -c\n"
     "manifest-sha256.txt` checks every file.\n";
 
-std::string listOf(const std::vector<BagFile>& exported) {
+std::string listOf(const std::vector<archive::BagFile>& exported) {
   std::string text = "Potsherds, measured in 3D\n=========================\n\n";
   for (const Part& part : kParts) {
     const std::string path = std::string("data/") + part.path;
-    const auto begins = [&](const BagFile& file) {
+    const auto begins = [&](const archive::BagFile& file) {
       return path.ends_with('/') ? file.path.starts_with(path) : file.path == path;
     };
     if (!std::any_of(exported.begin(), exported.end(), begins)) continue;
@@ -88,17 +88,17 @@ std::string listOf(const std::vector<BagFile>& exported) {
     text += name + part.text + "\n";
   }
   text += kMetadata;
-  const auto table = [](const BagFile& file) { return file.path == "data/sherds.csv"; };
+  const auto table = [](const archive::BagFile& file) { return file.path == "data/sherds.csv"; };
   if (std::any_of(exported.begin(), exported.end(), table)) text += kGuarded;
   return text + kBag;
 }
 
 // What nobody who measures on these models may overlook.
-Result<std::string> readMe(const Catalogue& catalogue, const std::set<BatchRow>& batches,
-                           const std::vector<BagFile>& exported) {
+Result<std::string> readMe(const Catalogue& catalogue, const std::set<store::BatchRow>& batches,
+                           const std::vector<archive::BagFile>& exported) {
   std::string doubts;
-  for (const BatchRow row : batches) {
-    const Result<BatchRecord> batch = catalogue.batch(row);
+  for (const store::BatchRow row : batches) {
+    const Result<records::BatchRecord> batch = catalogue.batch(row);
     if (!batch) return batch.error();
     if (!batch->scale_doubts.empty()) doubts += batch->number + ": " + batch->scale_doubts + "\n";
   }
@@ -122,7 +122,7 @@ std::string idOf(const std::vector<Record>& records, Row row) {
   return {};
 }
 
-ordered_json personJson(const PersonRecord& p) {
+ordered_json personJson(const records::PersonRecord& p) {
   ordered_json one = stamp(p.id);
   one["name"] = p.name;
   one["initials"] = p.initials;
@@ -130,7 +130,7 @@ ordered_json personJson(const PersonRecord& p) {
   return one;
 }
 
-ordered_json siteJson(const SiteRecord& s) {
+ordered_json siteJson(const records::SiteRecord& s) {
   ordered_json one = stamp(s.id);
   one["code"] = s.code;
   one["name"] = s.name;
@@ -143,7 +143,8 @@ ordered_json siteJson(const SiteRecord& s) {
   return one;
 }
 
-ordered_json trenchJson(const TrenchRecord& t, const std::string& site, const std::string& parent) {
+ordered_json trenchJson(const records::TrenchRecord& t, const std::string& site,
+                        const std::string& parent) {
   ordered_json one = stamp(t.id);
   one["site"] = site;
   one["code"] = t.code;
@@ -152,7 +153,7 @@ ordered_json trenchJson(const TrenchRecord& t, const std::string& site, const st
   return one;
 }
 
-ordered_json contextJson(const ContextRecord& c, const std::string& site,
+ordered_json contextJson(const records::ContextRecord& c, const std::string& site,
                          const std::string& trench) {
   ordered_json one = stamp(c.id);
   one["site"] = site;
@@ -169,7 +170,7 @@ ordered_json contextJson(const ContextRecord& c, const std::string& site,
   return one;
 }
 
-ordered_json bagJson(const BagRecord& b, const std::string& context) {
+ordered_json bagJson(const records::BagRecord& b, const std::string& context) {
   ordered_json one = stamp(b.id);
   one["context"] = context;
   one["number"] = b.number;
@@ -180,7 +181,8 @@ ordered_json bagJson(const BagRecord& b, const std::string& context) {
   return one;
 }
 
-Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<ContextRow>& wanted) {
+Result<ordered_json> placesJson(const Catalogue& catalogue,
+                                const std::set<store::ContextRow>& wanted) {
   const auto sites = catalogue.sites();
   const auto trenches = catalogue.trenches();
   const auto contexts = catalogue.contexts();
@@ -196,19 +198,19 @@ Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<Conte
                       {"trenches", ordered_json::array()},
                       {"contexts", ordered_json::array()},
                       {"bags", ordered_json::array()}};
-  std::set<SiteRow> used_sites;
-  for (const ContextRecord& c : *contexts)
+  std::set<store::SiteRow> used_sites;
+  for (const records::ContextRecord& c : *contexts)
     if (wanted.contains(c.row)) used_sites.insert(c.site);
-  for (const PersonRecord& p : *persons) out["persons"].push_back(personJson(p));
-  for (const SiteRecord& s : *sites)
+  for (const records::PersonRecord& p : *persons) out["persons"].push_back(personJson(p));
+  for (const records::SiteRecord& s : *sites)
     if (used_sites.contains(s.row)) out["sites"].push_back(siteJson(s));
-  for (const TrenchRecord& t : *trenches)
+  for (const records::TrenchRecord& t : *trenches)
     if (used_sites.contains(t.site))
       out["trenches"].push_back(trenchJson(t, idOf(*sites, t.site), idOf(*trenches, t.parent)));
-  for (const ContextRecord& c : *contexts)
+  for (const records::ContextRecord& c : *contexts)
     if (wanted.contains(c.row))
       out["contexts"].push_back(contextJson(c, idOf(*sites, c.site), idOf(*trenches, c.trench)));
-  for (const BagRecord& b : *bags)
+  for (const records::BagRecord& b : *bags)
     if (wanted.contains(b.context)) out["bags"].push_back(bagJson(b, idOf(*contexts, b.context)));
   return out;
 }
@@ -217,7 +219,7 @@ Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<Conte
 // numbers. What the project has already stays, and the others' records refer to it.
 class Reading {
  public:
-  Reading(Catalogue& catalogue, const Provenance& provenance)
+  Reading(Catalogue& catalogue, const records::Provenance& provenance)
       : catalogue_(catalogue), provenance_(provenance) {
     for (const auto& p : orEmpty(catalogue.persons())) know(p, keyOf(p));
     for (const auto& s : orEmpty(catalogue.sites())) know(s, keyOf(s));
@@ -228,12 +230,12 @@ class Reading {
 
   Result<void> places(const json& places) {
     for (const json& p : places.at("persons"))
-      if (auto done = add(PersonRecord{
+      if (auto done = add(records::PersonRecord{
               {}, text(p, "id"), text(p, "name"), text(p, "initials"), text(p, "orcid")});
           !done)
         return done;
     for (const json& s : places.at("sites")) {
-      SiteRecord site;
+      records::SiteRecord site;
       site.id = text(s, "id");
       site.code = text(s, "code");
       site.name = text(s, "name");
@@ -244,7 +246,7 @@ class Reading {
       if (auto done = add(site); !done) return done;
     }
     for (const json& t : places.at("trenches")) {
-      TrenchRecord trench;
+      records::TrenchRecord trench;
       trench.id = text(t, "id");
       trench.site = {row(t, "site")};
       trench.parent = {row(t, "parent")};
@@ -253,7 +255,7 @@ class Reading {
       if (auto done = add(trench); !done) return done;
     }
     for (const json& c : places.at("contexts")) {
-      ContextRecord context;
+      records::ContextRecord context;
       context.id = text(c, "id");
       context.site = {row(c, "site")};
       context.trench = {row(c, "trench")};
@@ -268,7 +270,7 @@ class Reading {
       if (auto done = add(context); !done) return done;
     }
     for (const json& b : places.at("bags")) {
-      BagRecord bag;
+      records::BagRecord bag;
       bag.id = text(b, "id");
       bag.context = {row(b, "context")};
       bag.number = text(b, "number");
@@ -297,15 +299,21 @@ class Reading {
   static std::string key(const char* kind, std::int64_t in, std::int64_t also,
                          const std::string& name) {
     return std::string(kind) + " " + std::to_string(in) + " " + std::to_string(also) + " " +
-           uniqueKey(name);
+           store::uniqueKey(name);
   }
-  static std::string keyOf(const PersonRecord& p) { return key("person", 0, 0, p.initials); }
-  static std::string keyOf(const SiteRecord& s) { return key("site", 0, 0, s.code); }
-  static std::string keyOf(const TrenchRecord& t) { return key("trench", t.site.value, 0, t.code); }
-  static std::string keyOf(const ContextRecord& c) {
+  static std::string keyOf(const records::PersonRecord& p) {
+    return key("person", 0, 0, p.initials);
+  }
+  static std::string keyOf(const records::SiteRecord& s) { return key("site", 0, 0, s.code); }
+  static std::string keyOf(const records::TrenchRecord& t) {
+    return key("trench", t.site.value, 0, t.code);
+  }
+  static std::string keyOf(const records::ContextRecord& c) {
     return key("context", c.site.value, c.trench.value, c.number);
   }
-  static std::string keyOf(const BagRecord& b) { return key("bag", b.context.value, 0, b.number); }
+  static std::string keyOf(const records::BagRecord& b) {
+    return key("bag", b.context.value, 0, b.number);
+  }
 
   template <class Record>
   void know(const Record& record, const std::string& key) {
@@ -327,12 +335,12 @@ class Reading {
   }
 
   Catalogue& catalogue_;
-  const Provenance& provenance_;
+  const records::Provenance& provenance_;
   std::map<std::string, std::int64_t> known_, named_;
 };
 
-Result<json> jsonOf(const BagReader& bag, const std::string& path) {
-  const BagFile* file = bag.find(path);
+Result<json> jsonOf(const archive::BagReader& bag, const std::string& path) {
+  const archive::BagFile* file = bag.find(path);
   if (!file) return Error::unusable("This file is not part of the export.", path);
   const Result<std::string> text = bag.read(*file, std::size_t{64} << 20);
   return text ? parseJson(*text, path) : text.error();
@@ -341,23 +349,23 @@ Result<json> jsonOf(const BagReader& bag, const std::string& path) {
 }  // namespace
 
 Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
-                                             const std::vector<SherdRecord>& sherds,
-                                             const ProjectRecord& project,
+                                             const std::vector<records::SherdRecord>& sherds,
+                                             const records::ProjectRecord& project,
                                              const std::string& program,
-                                             const std::vector<BagFile>& exported) {
-  std::set<ContextRow> contexts;
-  std::set<BatchRow> batches;
-  for (const SherdRecord& sherd : sherds) {
+                                             const std::vector<archive::BagFile>& exported) {
+  std::set<store::ContextRow> contexts;
+  std::set<store::BatchRow> batches;
+  for (const records::SherdRecord& sherd : sherds) {
     if (sherd.context) contexts.insert(sherd.context);
     if (sherd.batch) batches.insert(sherd.batch);
   }
   // And of the bags that the batches were made of, wherever their sherds are now.
-  const Result<std::vector<BagRecord>> bags = catalogue.bags();
+  const Result<std::vector<records::BagRecord>> bags = catalogue.bags();
   if (!bags) return bags.error();
-  for (const BatchRow row : batches) {
-    const Result<BatchRecord> batch = catalogue.batch(row);
+  for (const store::BatchRow row : batches) {
+    const Result<records::BatchRecord> batch = catalogue.batch(row);
     if (!batch) return batch.error();
-    for (const BagRecord& of : *bags)
+    for (const records::BagRecord& of : *bags)
       if (std::find(batch->bags.begin(), batch->bags.end(), of.row) != batch->bags.end())
         contexts.insert(of.context);
   }
@@ -387,8 +395,8 @@ Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
                                    {"README.txt", *read_me}};
 }
 
-Result<ReadBatches> readMetadata(Catalogue& catalogue, const BagReader& bag,
-                                 const Provenance& provenance) {
+Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader& bag,
+                                 const records::Provenance& provenance) {
   const Result<json> places = jsonOf(bag, "data/metadata/places.json");
   if (!places) return places.error();
   const Result<json> batches = jsonOf(bag, "data/metadata/batches.json");

@@ -17,15 +17,15 @@ struct MetadataFile {
 /// metadata/batches.json, metadata/vocabularies.json, context.jsonld and README.txt. exported: the
 /// files so far, which README.txt lists.
 Result<std::vector<MetadataFile>> metadataOf(const catalogue::Catalogue& catalogue,
-                                             const std::vector<catalogue::SherdRecord>& sherds,
-                                             const catalogue::ProjectRecord& project,
+                                             const std::vector<records::SherdRecord>& sherds,
+                                             const records::ProjectRecord& project,
                                              const std::string& program,
-                                             const std::vector<BagFile>& exported);
+                                             const std::vector<archive::BagFile>& exported);
 
 /// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
 /// of metadata/, with their ids, and terms of vocabularies, into a catalogue that does not have
 /// them yet; what is there stays as it is.
-Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue, const BagReader& bag,
-                                 const catalogue::Provenance& provenance);
+Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue, const archive::BagReader& bag,
+                                 const records::Provenance& provenance);
 
 }  // namespace ostraka::exchange

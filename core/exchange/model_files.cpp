@@ -30,8 +30,8 @@ std::string comments(const ModelLabel& label, const std::string& begin) {
   std::string lines = begin + oneLine(text) + "\n";
   if (label.deviation_mm >= 0)
     lines += begin + "simplified from the full-detail model: 99.9 % within " +
-             catalogue::numberText(label.deviation_mm) + " mm, all within " +
-             catalogue::numberText(label.farthest_mm) + " mm\n";
+             store::numberText(label.deviation_mm) + " mm, all within " +
+             store::numberText(label.farthest_mm) + " mm\n";
   std::istringstream doubts(label.scale_doubts);
   for (std::string doubt; std::getline(doubts, doubt);)
     if (!doubt.empty()) lines += begin + "measurements in doubt: " + oneLine(doubt) + "\n";

@@ -34,17 +34,17 @@ std::string mediaTypeOf(const std::string& path) {
 }
 
 // What the project says of it now: of a field, a measurement, or a field of the user's own.
-std::string valueNow(const SherdRecord& sherd, const std::string& name) {
+std::string valueNow(const records::SherdRecord& sherd, const std::string& name) {
   if (const auto value = sherd.measures.find(name); value != sherd.measures.end())
-    return numberText(value->second);
-  for (const SherdField& field : sherdFields())
-    if (name == field.name) return textOf(sherd, name);
-  return textOf(sherd, "extra." + name);
+    return store::numberText(value->second);
+  for (const records::SherdField& field : records::sherdFields())
+    if (name == field.name) return records::textOf(sherd, name);
+  return records::textOf(sherd, "extra." + name);
 }
 
 // ware_in_out is what another project kept of ours: it says nothing new while our ware is that.
 // Else two laptops that read each other by turns would add to these fields for ever.
-bool isOurs(const SherdRecord& sherd, const std::string& name, const std::string& value) {
+bool isOurs(const records::SherdRecord& sherd, const std::string& name, const std::string& value) {
   for (std::size_t at = name.find("_in_"); at != std::string::npos; at = name.find("_in_", at + 1))
     if (const std::string now = valueNow(sherd, name.substr(0, at));
         value == (now.empty() ? kNone : now))
@@ -54,14 +54,14 @@ bool isOurs(const SherdRecord& sherd, const std::string& name, const std::string
 
 // Fields of the user's own that the record has, and the project otherwise or not at all. Those that
 // only the project has are no difference: they stay, and nothing of the record is left out.
-std::vector<std::pair<std::string, std::string>> ownThatDiffer(const SherdRecord& sherd,
-                                                               const ImportRow& row,
+std::vector<std::pair<std::string, std::string>> ownThatDiffer(const records::SherdRecord& sherd,
+                                                               const tables::ImportRow& row,
                                                                const std::string& from) {
   std::vector<std::pair<std::string, std::string>> differ;
   for (const auto& [field, value] : row.values) {
     if (!field.starts_with("extra.") || field.ends_with("_in_" + from)) continue;
     const std::string name = field.substr(6);
-    if (value != textOf(sherd, field) && !isOurs(sherd, name, value))
+    if (value != records::textOf(sherd, field) && !isOurs(sherd, name, value))
       differ.emplace_back(name, value);
   }
   return differ;
@@ -69,36 +69,38 @@ std::vector<std::pair<std::string, std::string>> ownThatDiffer(const SherdRecord
 
 // What a record says otherwise than the project does, as fields of the user's own beside those of
 // the project: two laptops wrote about one sherd, and a person decides.
-std::vector<FieldChange> otherVersion(const SherdRecord& sherd, const ImportRow& row,
-                                      const std::string& from) {
-  std::vector<FieldChange> kept;
+std::vector<records::FieldChange> otherVersion(const records::SherdRecord& sherd,
+                                               const tables::ImportRow& row,
+                                               const std::string& from) {
+  std::vector<records::FieldChange> kept;
   const auto keep = [&](const std::string& name, const std::string& value) {
     kept.push_back({sherd.row, "extra." + name + "_in_" + from, value.empty() ? kNone : value});
   };
-  for (const SherdField& field : sherdFields()) {
+  for (const records::SherdField& field : records::sherdFields()) {
     const std::string name = field.name;
-    if (!field.editable || field.kind == FieldKind::Number) continue;
+    if (!field.editable || field.kind == records::FieldKind::Number) continue;
     const auto found = row.values.find(name);
     const std::string value = found == row.values.end() ? std::string() : found->second;
-    if (value != textOf(sherd, name)) keep(name, value);
+    if (value != records::textOf(sherd, name)) keep(name, value);
   }
   for (const auto& [m, initials] : row.measured) {
     const auto value = sherd.measures.find(m.kind);
     if (value == sherd.measures.end() || value->second != m.value)
-      keep(m.kind, numberText(m.value));
+      keep(m.kind, store::numberText(m.value));
   }
   for (const auto& [name, value] : ownThatDiffer(sherd, row, from)) keep(name, value);
   return kept;
 }
 
-bool sameAs(const SherdRecord& sherd, const ImportRow& row, const std::string& from,
-            const Catalogue& catalogue) {
-  for (const SherdField& field : sherdFields()) {
+bool sameAs(const records::SherdRecord& sherd, const tables::ImportRow& row,
+            const std::string& from, const Catalogue& catalogue) {
+  for (const records::SherdField& field : records::sherdFields()) {
     const std::string name = field.name;
-    if (name == "state" || name == "batch" || name == "scale" || field.kind == FieldKind::Number)
+    if (name == "state" || name == "batch" || name == "scale" ||
+        field.kind == records::FieldKind::Number)
       continue;
     const auto value = row.values.find(name);
-    if ((value == row.values.end() ? std::string() : value->second) != textOf(sherd, name))
+    if ((value == row.values.end() ? std::string() : value->second) != records::textOf(sherd, name))
       return false;
   }
   if (!ownThatDiffer(sherd, row, from).empty()) return false;
@@ -113,17 +115,17 @@ bool sameAs(const SherdRecord& sherd, const ImportRow& row, const std::string& f
 
 class ReadingBack {
  public:
-  ReadingBack(Project& project, const fs::path& folder, const BagReader& bag,
-              const Provenance& provenance)
+  ReadingBack(upkeep::Project& project, const fs::path& folder, const archive::BagReader& bag,
+              const records::Provenance& provenance)
       : project_(project),
         folder_(folder),
         bag_(bag),
         provenance_(provenance),
-        name_(slug(folderNamed(folder).filename().string())) {}
+        name_(store::slug(archive::folderNamed(folder).filename().string())) {}
 
   /// All records, read before anything is changed.
   Result<void> records() {
-    for (const BagFile& file : bag_.files()) {
+    for (const archive::BagFile& file : bag_.files()) {
       if (!file.path.starts_with("data/sherds/")) continue;
       const Result<std::string> text = bag_.read(file, kMostRecordBytes);
       if (!text) return text.error();
@@ -132,7 +134,7 @@ class ReadingBack {
       read->row.line = static_cast<int>(records_.size()) + 1;
       const auto& values = read->row.values;
       if (values.contains("uuid") && values.contains("number"))
-        uuids_[uniqueKey(values.at("number"))] = values.at("uuid");
+        uuids_[store::uniqueKey(values.at("number"))] = values.at("uuid");
       records_.push_back(std::move(*read));
     }
     if (records_.empty())
@@ -142,21 +144,21 @@ class ReadingBack {
     return {};
   }
 
-  Result<ImportReport> enter(const ImportOptions& options, Progress& progress,
-                             std::stop_token stop) {
+  Result<tables::ImportReport> enter(const tables::ImportOptions& options, Progress& progress,
+                                     std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
     Result<ReadBatches> beside = readMetadata(catalogue, bag_, provenance_);
     if (!beside) return beside.error();
     copies_ = std::move(beside->copies);
     fresh_batches_ = std::move(beside->fresh);
     lost_joins_.clear();
-    ImportReport kept;
-    std::vector<ImportRow> fresh;
+    tables::ImportReport kept;
+    std::vector<tables::ImportRow> fresh;
     std::vector<const ReadSherdJson*> fresh_records;
     for (const ReadSherdJson& record : records_) {
       const std::string uuid =
           record.row.values.contains("uuid") ? record.row.values.at("uuid") : "";
-      const Result<SherdRow> there = catalogue.sherdById(uuid);
+      const Result<store::SherdRow> there = catalogue.sherdById(uuid);
       if (!there) return there.error();
       if (!*there) {
         fresh_records.push_back(&record);
@@ -165,20 +167,20 @@ class ReadingBack {
         if (const auto batch = record.row.values.find("batch"); batch != record.row.values.end())
           if (const auto number = beside->numbers.find(batch->second);
               number != beside->numbers.end()) {
-            const Result<BatchRecord> known = catalogue.batchByNumber(number->second);
+            const Result<records::BatchRecord> known = catalogue.batchByNumber(number->second);
             if (!known) return known.error();
             fresh.back().batch = known->row;
           }
         continue;
       }
-      const Result<SherdRecord> sherd = catalogue.sherd(*there);
+      const Result<records::SherdRecord> sherd = catalogue.sherd(*there);
       if (!sherd) return sherd.error();
       if (sameAs(*sherd, record.row, name_, catalogue)) {
         ++kept.same;
         continue;
       }
       ++kept.refused;
-      const std::vector<FieldChange> other = otherVersion(*sherd, record.row, name_);
+      const std::vector<records::FieldChange> other = otherVersion(*sherd, record.row, name_);
       const auto undo = catalogue.change(other, provenance_);
       if (!undo) return undo.error();
       if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
@@ -188,8 +190,8 @@ class ReadingBack {
                                "differing values are added in fields that end in _in_" +
                                    name_ + "."});
     }
-    Result<ImportReport> report =
-        importSherds(catalogue, fresh, options, provenance_, progress, stop);
+    Result<tables::ImportReport> report =
+        tables::importSherds(catalogue, fresh, options, provenance_, progress, stop);
     if (!report) return report;
     if (report->not_reached > 0) return Error::cancelled();
     for (const ReadSherdJson* record : fresh_records)
@@ -219,7 +221,7 @@ class ReadingBack {
                       static_cast<std::int64_t>(copies_.size()));
       const Result<ContainedPath> to = ContainedPath::parse(file.to);
       if (!to) return to.error();
-      const BagFile& from = *bag_.find("data/" + file.from);
+      const archive::BagFile& from = *bag_.find("data/" + file.from);
       if (project->has(*to)) {
         if (Result<void> same = sameAsThere(*project, *to, from, stop); !same) return same;
       } else {
@@ -255,7 +257,7 @@ class ReadingBack {
   Result<void> copiesAreThere() const {
     std::map<std::string, std::string> hashes;
     for (const FileCopy& copy : copies_) {
-      const BagFile* file = bag_.find("data/" + copy.from);
+      const archive::BagFile* file = bag_.find("data/" + copy.from);
       if (!file) return Error::unusable("This file is not part of the export.", copy.from);
       if (hashes.try_emplace(copy.to, file->sha256).first->second != file->sha256)
         return Error::unusable("Two files of the export would have the same name.", copy.to);
@@ -264,7 +266,7 @@ class ReadingBack {
   }
 
   static Result<void> sameAsThere(const OpenFolder& project, const ContainedPath& to,
-                                  const BagFile& from, const std::stop_token& stop) {
+                                  const archive::BagFile& from, const std::stop_token& stop) {
     Result<OpenFile> there = project.read(to);
     if (!there) return there.error();
     const Result<Checksum> sum = checksumOf(*there, stop);
@@ -286,24 +288,25 @@ class ReadingBack {
   Result<void> afterwards(const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     if (!record.row.values.contains("uuid")) return {};
-    const Result<SherdRow> sherd = catalogue.sherdById(record.row.values.at("uuid"));
+    const Result<store::SherdRow> sherd = catalogue.sherdById(record.row.values.at("uuid"));
     if (!sherd) return sherd.error();
     if (!*sherd) return {};  // refused
     if (Result<void> done = join(*sherd, record); !done) return done;
     if (Result<void> done = scansOf(*sherd, record); !done) return done;
-    const Result<std::vector<FileRecord>> had = catalogue.files(*sherd);
+    const Result<std::vector<records::FileRecord>> had = catalogue.files(*sherd);
     if (!had) return had.error();
     if (!had->empty()) return {};
     std::string model, preview;
     for (const SherdFile& file : record.files) {
-      const Result<ContainedPath> place = importPlace("imported/" + name_ + "/" + file.path, {});
+      const Result<ContainedPath> place =
+          tables::importPlace("imported/" + name_ + "/" + file.path, {});
       if (!place) return place.error();
-      FileRecord f;
+      records::FileRecord f;
       f.path = place->text();
       f.sha256 = file.sha256;
       f.bytes = file.bytes;
       f.role = file.role;
-      f.media_type = mediaTypeOf(file.path);
+      f.media_type = intake::mediaTypeOf(file.path);
       f.sherd = *sherd;
       const auto saved = catalogue.save(f, provenance_);
       if (!saved) return saved.error();
@@ -315,15 +318,15 @@ class ReadingBack {
   }
 
   // With whom the export means: a number may be another sherd's here, or nobody knows whose.
-  Result<void> join(SherdRow sherd, const ReadSherdJson& record) {
+  Result<void> join(store::SherdRow sherd, const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     const auto joins = record.row.values.find("joins");
     if (joins == record.row.values.end()) return {};
     std::vector<std::string> there;
-    for (const std::string& named : splitTerms(joins->second)) {
-      const auto known = uuids_.find(uniqueKey(named));
+    for (const std::string& named : store::splitTerms(joins->second)) {
+      const auto known = uuids_.find(store::uniqueKey(named));
       const std::string uuid = known == uuids_.end() ? named : known->second;
-      const Result<SherdRow> partner = catalogue.sherdById(uuid);
+      const Result<store::SherdRow> partner = catalogue.sherdById(uuid);
       if (!partner) return partner.error();
       if (*partner) {
         there.push_back(uuid);
@@ -335,36 +338,36 @@ class ReadingBack {
       }
     }
     if (there.empty()) return {};
-    const FieldChange change{sherd, "joins", joinTerms(there)};
+    const records::FieldChange change{sherd, "joins", store::joinTerms(there)};
     const auto done = catalogue.change(std::span(&change, 1), provenance_);
     return done ? Result<void>() : done.error();
   }
 
   // From which scans of its batch it was made, unless that is known already. A batch that was here
   // before has its own scans and decisions: one of the same name may be of another piece.
-  Result<void> scansOf(SherdRow row, const ReadSherdJson& record) {
+  Result<void> scansOf(store::SherdRow row, const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
-    const Result<SherdRecord> sherd = catalogue.sherd(row);
+    const Result<records::SherdRecord> sherd = catalogue.sherd(row);
     if (!sherd) return sherd.error();
     if (record.front.empty() || sherd->front || !fresh_batches_.contains(sherd->batch)) return {};
-    const Result<std::vector<ScanRecord>> scans = catalogue.scans(sherd->batch);
+    const Result<std::vector<records::ScanRecord>> scans = catalogue.scans(sherd->batch);
     if (!scans) return scans.error();
-    ScanRow front, back;
-    for (const ScanRecord& scan : *scans) {
+    store::ScanRow front, back;
+    for (const records::ScanRecord& scan : *scans) {
       if (scan.side == batch::Side::Front && scan.name == record.front) front = scan.row;
       if (scan.side == batch::Side::Back && scan.name == record.back) back = scan.row;
     }
     return front ? restoreScans(catalogue, row, front, back) : Result<void>();
   }
 
-  Project& project_;
+  upkeep::Project& project_;
   const fs::path& folder_;
-  const BagReader& bag_;
-  const Provenance& provenance_;
+  const archive::BagReader& bag_;
+  const records::Provenance& provenance_;
   std::string name_;  ///< of the export's folder, as part of other names
   std::vector<ReadSherdJson> records_;
   std::map<std::string, std::string> uuids_;  ///< of the records, by number
-  std::set<BatchRow> fresh_batches_;          ///< what entered last
+  std::set<store::BatchRow> fresh_batches_;   ///< what entered last
   std::vector<std::string> lost_joins_;
   std::vector<FileCopy> copies_;  ///< of what was entered last
   std::vector<FileCopy> copied_;
@@ -374,28 +377,29 @@ class ReadingBack {
 
 }  // namespace
 
-Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMode mode,
-                              const Provenance& provenance, Progress& progress,
-                              std::stop_token stop) {
-  const Result<BagReader> bag = BagReader::open(folder, progress, stop);
+Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& folder,
+                                      tables::ImportMode mode,
+                                      const records::Provenance& provenance, Progress& progress,
+                                      std::stop_token stop) {
+  const Result<archive::BagReader> bag = archive::BagReader::open(folder, progress, stop);
   if (!bag) return bag.error();
   ReadingBack reading(project, folder, *bag, provenance);
   if (Result<void> read = reading.records(); !read) return read.error();
-  ImportReport report;
+  tables::ImportReport report;
   bool moved = false;
-  const auto records = [&](ImportMode how) {
+  const auto records = [&](tables::ImportMode how) {
     // The records of one export belong together: within the transaction around them.
-    return previewOrEnter(project.catalogue(), how, [&]() -> Result<void> {
-      Result<ImportReport> entered =
-          reading.enter({ImportMode::Enter, UnknownPlaces::Refuse}, progress, stop);
+    return tables::previewOrEnter(project.catalogue(), how, [&]() -> Result<void> {
+      Result<tables::ImportReport> entered =
+          reading.enter({tables::ImportMode::Enter, tables::UnknownPlaces::Refuse}, progress, stop);
       if (!entered) return entered.error();
       report = std::move(*entered);
-      moved = how == ImportMode::Enter && !reading.liesWhereItIsEntered();
+      moved = how == tables::ImportMode::Enter && !reading.liesWhereItIsEntered();
       return moved ? Result<void>(Error::cancelled()) : Result<void>();
     });
   };
-  if (const Result<void> fits = records(ImportMode::Preview); !fits) return fits.error();
-  if (mode == ImportMode::Preview) return report;
+  if (const Result<void> fits = records(tables::ImportMode::Preview); !fits) return fits.error();
+  if (mode == tables::ImportMode::Preview) return report;
   if (const auto saved = project.backUp(); !saved) return saved.error();
   const auto copyAndEnter = [&]() -> Result<void> {
     do {

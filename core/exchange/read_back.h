@@ -14,8 +14,9 @@ namespace ostraka::exchange {
 /// their uuid; what the project has already stays, and differences are counted and listed. Batches
 /// come with their photographs, scans and decisions. The files of new sherds go to
 /// PROJECT/imported/NAME, exported photographs to where they were.
-Result<ImportReport> readBack(catalogue::Project& project, const std::filesystem::path& folder,
-                              ImportMode mode, const catalogue::Provenance& provenance,
-                              Progress& progress, std::stop_token stop);
+Result<tables::ImportReport> readBack(upkeep::Project& project, const std::filesystem::path& folder,
+                                      tables::ImportMode mode,
+                                      const records::Provenance& provenance, Progress& progress,
+                                      std::stop_token stop);
 
 }  // namespace ostraka::exchange

@@ -15,11 +15,11 @@ namespace ostraka::exchange {
 namespace {
 
 using catalogue::Catalogue;
-using catalogue::SherdRecord;
 using nlohmann::json;
 using nlohmann::ordered_json;
+using records::SherdRecord;
 
-std::string initialsOf(const Catalogue& catalogue, catalogue::PersonRow row) {
+std::string initialsOf(const Catalogue& catalogue, store::PersonRow row) {
   if (!row) return {};
   if (const auto persons = catalogue.persons())
     for (const auto& person : *persons)
@@ -28,9 +28,9 @@ std::string initialsOf(const Catalogue& catalogue, catalogue::PersonRow row) {
 }
 
 ordered_json measurementsOf(const Catalogue& catalogue, const SherdRecord& sherd,
-                            const std::vector<catalogue::Measurement>& all) {
+                            const std::vector<records::Measurement>& all) {
   ordered_json list = ordered_json::array();
-  for (const catalogue::Measurement& m : all) {
+  for (const records::Measurement& m : all) {
     ordered_json one = {
         {"kind", m.kind}, {"value", m.value}, {"unit", m.unit}, {"method", m.method}};
     if (m.uncertainty) one["uncertainty"] = *m.uncertainty;
@@ -45,7 +45,7 @@ ordered_json measurementsOf(const Catalogue& catalogue, const SherdRecord& sherd
 ordered_json pairingOf(const Catalogue& catalogue, const SherdRecord& sherd) {
   ordered_json pairing = ordered_json::object();
   if (!sherd.batch) return pairing;
-  std::map<catalogue::ScanRow, std::string> names;
+  std::map<store::ScanRow, std::string> names;
   if (const auto scans = catalogue.scans(sherd.batch))
     for (const auto& scan : *scans) names[scan.row] = scan.name;
   put(pairing, "front", names[sherd.front]);
@@ -100,7 +100,7 @@ void putTexts(ordered_json& out, const SherdRecord& sherd) {
     const json::json_pointer path{std::string(pointer)};
     if (path.parent_pointer().empty() && std::string_view(field) != "void_reason") continue;
     if (std::string_view(field) == "batch") continue;
-    const std::string text = catalogue::textOf(sherd, field);
+    const std::string text = records::textOf(sherd, field);
     if (text.empty()) continue;
     const bool list = std::string_view(field) == "part" ||
                       std::string_view(field) == "decoration" ||
@@ -111,7 +111,7 @@ void putTexts(ordered_json& out, const SherdRecord& sherd) {
          rest = rest.substr(slash + 1))
       at = &(*at)[rest.substr(0, slash)];
     if (list)
-      (*at)[rest] = catalogue::splitTerms(text);
+      (*at)[rest] = store::splitTerms(text);
     else
       (*at)[rest] = text;
   }
@@ -135,20 +135,20 @@ ordered_json filesJson(const std::vector<SherdFile>& files) {
 
 Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
                               const std::vector<SherdFile>& files, const std::string& program) {
-  const Result<catalogue::ProjectRecord> project = catalogue.project();
+  const Result<records::ProjectRecord> project = catalogue.project();
   if (!project) return project.error();
-  const Result<std::vector<catalogue::Measurement>> measured = catalogue.measurements(sherd.row);
+  const Result<std::vector<records::Measurement>> measured = catalogue.measurements(sherd.row);
   if (!measured) return measured.error();
   ordered_json out = {
       {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
   put(out, "number", sherd.number);
-  out["state"] = catalogue::wordOf(sherd.state);
+  out["state"] = records::wordOf(sherd.state);
   putTexts(out, sherd);
   out["measurements"] = measurementsOf(catalogue, sherd, *measured);
   ordered_json digitisation = ordered_json::object();
   std::string used_program = program;
   if (sherd.batch) {
-    const Result<catalogue::BatchRecord> batch = catalogue.batch(sherd.batch);
+    const Result<records::BatchRecord> batch = catalogue.batch(sherd.batch);
     if (!batch) return batch.error();
     digitisation["batch"] = batch->number;
     if (batch->started_ms) digitisation["shot_on"] = utcDay(*batch->started_ms);
@@ -182,22 +182,20 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
       const json::json_pointer path{std::string(pointer)};
       if (!value->contains(path)) continue;
       const json& at = value->at(path);
-      const std::string entry = at.is_array()
-                                    ? catalogue::joinTerms(at.get<std::vector<std::string>>())
-                                    : at.get<std::string>();
+      const std::string entry = at.is_array() ? store::joinTerms(at.get<std::vector<std::string>>())
+                                              : at.get<std::string>();
       if (!entry.empty()) read.row.values[field] = entry;
     }
     for (const json& m : value->value("measurements", json::array())) {
-      catalogue::Measurement measurement;
+      records::Measurement measurement;
       measurement.kind = m.at("kind").get<std::string>();
       measurement.value = numberAt(m, "value");
       measurement.method = m.value("method", "program");
       measurement.model_sha256 = m.value("model_sha256", "");
       if (m.contains("uncertainty")) measurement.uncertainty = numberAt(m, "uncertainty");
-      if (m.value("unit", catalogue::unitOf(measurement.kind)) !=
-          catalogue::unitOf(measurement.kind))
+      if (m.value("unit", records::unitOf(measurement.kind)) != records::unitOf(measurement.kind))
         return bad("The measurement " + measurement.kind + " has a unit other than " +
-                   catalogue::unitOf(measurement.kind) + ".");
+                   records::unitOf(measurement.kind) + ".");
       read.row.measured.emplace_back(std::move(measurement), m.value("by", ""));
     }
     for (const json& f : value->value("files", json::array()))

@@ -17,11 +17,11 @@ struct SherdFile {
 
 /// The record of one sherd (format ostraka-sherd/1), keys in a fixed order, LF at the end.
 Result<std::string> sherdJson(const catalogue::Catalogue& catalogue,
-                              const catalogue::SherdRecord& sherd,
+                              const records::SherdRecord& sherd,
                               const std::vector<SherdFile>& files, const std::string& program);
 
 struct ReadSherdJson {
-  ImportRow row;
+  tables::ImportRow row;
   std::vector<SherdFile> files;
   std::string front, back;  ///< names of the scans that it was made from
 };

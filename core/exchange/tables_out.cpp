@@ -21,39 +21,40 @@ constexpr const char* kCentreColumns[] = {"mass_centre_x_mm", "mass_centre_y_mm"
 constexpr const char* kFileColumns[] = {"model_file", "image_file", "drawing_file"};
 constexpr std::size_t kPage = 1000;
 
-bool isNumber(const SherdField& field) {
-  return field.kind == FieldKind::Number;
+bool isNumber(const records::SherdField& field) {
+  return field.kind == records::FieldKind::Number;
 }
 
 std::string columnOf(const std::string& kind) {
-  const std::string unit = "_" + unitOf(kind);
+  const std::string unit = "_" + records::unitOf(kind);
   return kind.ends_with(unit) ? kind : kind + unit;
 }
 
-using HandColumns = std::map<SherdRow, std::set<std::string>>;
-Result<HandColumns> measuredByHand(const Catalogue& catalogue, std::span<const SherdRow> rows) {
-  const Result<std::vector<Measurement>> measured = catalogue.measuredByHand(rows);
+using HandColumns = std::map<store::SherdRow, std::set<std::string>>;
+Result<HandColumns> measuredByHand(const Catalogue& catalogue,
+                                   std::span<const store::SherdRow> rows) {
+  const Result<std::vector<records::Measurement>> measured = catalogue.measuredByHand(rows);
   if (!measured) return measured.error();
   HandColumns columns;
-  for (const Measurement& m : *measured) columns[m.sherd].insert(columnOf(m.kind));
+  for (const records::Measurement& m : *measured) columns[m.sherd].insert(columnOf(m.kind));
   return columns;
 }
 
-std::string shownValue(const SherdRecord& sherd, const SherdField& field) {
-  const std::string text = textOf(sherd, field.name);
-  return isNumber(field) && !text.empty() ? tableNumber(*parsedNumber(text)) : text;
+std::string shownValue(const records::SherdRecord& sherd, const records::SherdField& field) {
+  const std::string text = records::textOf(sherd, field.name);
+  return isNumber(field) && !text.empty() ? tables::tableNumber(*store::parsedNumber(text)) : text;
 }
 
 // Sherds are read a page at a time, so that 100,000 need no more memory than the text itself.
 template <class Use>
-Result<void> eachSherd(const Catalogue& catalogue, std::span<const SherdRow> rows, Use use) {
+Result<void> eachSherd(const Catalogue& catalogue, std::span<const store::SherdRow> rows, Use use) {
   for (std::size_t i = 0; i < rows.size(); i += kPage) {
-    const std::span<const SherdRow> some = rows.subspan(i, std::min(kPage, rows.size() - i));
-    const Result<std::vector<SherdRecord>> page = catalogue.sherds(some);
+    const std::span<const store::SherdRow> some = rows.subspan(i, std::min(kPage, rows.size() - i));
+    const Result<std::vector<records::SherdRecord>> page = catalogue.sherds(some);
     if (!page) return page.error();
     Result<HandColumns> by_hand = measuredByHand(catalogue, some);
     if (!by_hand) return by_hand.error();
-    for (const SherdRecord& sherd : *page) use(sherd, (*by_hand)[sherd.row]);
+    for (const records::SherdRecord& sherd : *page) use(sherd, (*by_hand)[sherd.row]);
   }
   return {};
 }
@@ -62,30 +63,32 @@ Result<void> eachSherd(const Catalogue& catalogue, std::span<const SherdRow> row
 class TableWriter {
  public:
   virtual ~TableWriter() = default;
-  virtual void begin(const std::vector<OdsSheet::Column>& columns) = 0;
+  virtual void begin(const std::vector<tables::OdsSheet::Column>& columns) = 0;
   virtual void row(const std::vector<std::string>& values) = 0;
 };
 
 void writeMeanings(TableWriter& table) {
   table.begin({{"column"}, {"unit"}, {"meaning"}});
-  for (const ColumnMeaning& one : columnMeanings()) table.row({one.column, one.unit, one.meaning});
+  for (const tables::ColumnMeaning& one : tables::columnMeanings())
+    table.row({one.column, one.unit, one.meaning});
 }
 
-Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> rows,
+Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
                          const FilesOfSherds& files, TableWriter& table) {
-  const Result<ProjectRecord> project = catalogue.project();
+  const Result<records::ProjectRecord> project = catalogue.project();
   if (!project) return project.error();
   std::set<std::string> own;  // fields of the user's own, of any of the sherds
-  Result<void> read =
-      eachSherd(catalogue, rows, [&](const SherdRecord& sherd, const std::set<std::string>&) {
+  Result<void> read = eachSherd(
+      catalogue, rows, [&](const records::SherdRecord& sherd, const std::set<std::string>&) {
         if (sherd.extra_json == "{}") return;
         const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
         if (extra.is_object())
           for (const auto& [key, value] : extra.items()) own.insert(key);
       });
   if (!read) return read;
-  std::vector<OdsSheet::Column> columns;
-  for (const SherdField& field : sherdFields()) columns.push_back({field.name, isNumber(field)});
+  std::vector<tables::OdsSheet::Column> columns;
+  for (const records::SherdField& field : records::sherdFields())
+    columns.push_back({field.name, isNumber(field)});
   columns.push_back({"measured_by_hand"});
   for (const char* column : kCentreColumns) columns.push_back({column, true});
   for (const char* column : kFileColumns) columns.push_back({column});
@@ -93,14 +96,14 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> r
   for (const std::string& key : own) columns.push_back({"extra." + key});
   table.begin(columns);
   return eachSherd(catalogue, rows,
-                   [&](const SherdRecord& sherd, const std::set<std::string>& by_hand) {
+                   [&](const records::SherdRecord& sherd, const std::set<std::string>& by_hand) {
                      static const std::map<std::string, std::string> kNoFiles;
                      const auto named = files.find(sherd.row);
                      const auto& beside = named == files.end() ? kNoFiles : named->second;
                      std::vector<std::string> values;
-                     for (const SherdField& field : sherdFields())
+                     for (const records::SherdField& field : records::sherdFields())
                        values.push_back(shownValue(sherd, field));
-                     values.push_back(joinTerms({by_hand.begin(), by_hand.end()}));
+                     values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
                      const auto add = [&](const char* column) {
                        const auto found = beside.find(column);
                        values.push_back(found == beside.end() ? std::string() : found->second);
@@ -109,12 +112,12 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> r
                      for (const char* column : kFileColumns) add(column);
                      values.push_back(project->licence);
                      for (const std::string& key : own)
-                       values.push_back(textOf(sherd, "extra." + key));
+                       values.push_back(records::textOf(sherd, "extra." + key));
                      table.row(values);
                    });
 }
 
-Result<void> writeContexts(const Catalogue& catalogue, std::span<const ContextRow> rows,
+Result<void> writeContexts(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
                            TableWriter& table) {
   table.begin({{"site"},
                {"trench"},
@@ -130,17 +133,17 @@ Result<void> writeContexts(const Catalogue& catalogue, std::span<const ContextRo
                {"count_written", true},
                {"weight_g", true},
                {"storage"}});
-  for (const ContextRow& row : rows) {
-    const Result<ContextRecord> c = catalogue.context(row);
+  for (const store::ContextRow& row : rows) {
+    const Result<records::ContextRecord> c = catalogue.context(row);
     if (!c) return c.error();
-    Result<std::vector<BagRecord>> bags = catalogue.bags(row);
+    Result<std::vector<records::BagRecord>> bags = catalogue.bags(row);
     if (!bags) return bags.error();
     if (bags->empty()) bags->emplace_back();
-    for (const BagRecord& bag : *bags)
+    for (const records::BagRecord& bag : *bags)
       table.row({c->site_code, c->trench_code, c->number, c->kind, c->excavated_on, c->period,
                  c->date_edtf, c->closed ? "yes" : "no", c->note, bag.number, bag.collected_on,
                  bag.count_written ? std::to_string(*bag.count_written) : "",
-                 bag.weight_g ? numberText(*bag.weight_g) : "", bag.storage});
+                 bag.weight_g ? store::numberText(*bag.weight_g) : "", bag.storage});
   }
   return {};
 }
@@ -149,32 +152,32 @@ Result<void> writeContexts(const Catalogue& catalogue, std::span<const ContextRo
 class CsvWriter final : public TableWriter {
  public:
   explicit CsvWriter(ByteOrderMark mark) : text(mark == ByteOrderMark::With ? kMark : "") {}
-  void begin(const std::vector<OdsSheet::Column>& columns) override {
+  void begin(const std::vector<tables::OdsSheet::Column>& columns) override {
     columns_ = columns;
     std::vector<std::string> names;
-    for (const auto& column : columns) names.push_back(guarded(column.name));
-    text += csvLine(names);
+    for (const auto& column : columns) names.push_back(tables::guarded(column.name));
+    text += tables::csvLine(names);
   }
   void row(const std::vector<std::string>& values) override {
     std::vector<std::string> safe;
     for (std::size_t i = 0; i < values.size(); ++i)
-      safe.push_back(columns_[i].number ? values[i] : guarded(values[i]));
-    text += csvLine(safe);
+      safe.push_back(columns_[i].number ? values[i] : tables::guarded(values[i]));
+    text += tables::csvLine(safe);
   }
   std::string text;
 
  private:
-  std::vector<OdsSheet::Column> columns_;
+  std::vector<tables::OdsSheet::Column> columns_;
 };
 
 class OdsWriter final : public TableWriter {
  public:
   explicit OdsWriter(std::string name) : name_(std::move(name)) {}
-  void begin(const std::vector<OdsSheet::Column>& columns) override {
+  void begin(const std::vector<tables::OdsSheet::Column>& columns) override {
     sheet.emplace(name_, columns);
   }
   void row(const std::vector<std::string>& values) override { sheet->row(values); }
-  std::optional<OdsSheet> sheet;
+  std::optional<tables::OdsSheet> sheet;
 
  private:
   std::string name_;
@@ -182,14 +185,14 @@ class OdsWriter final : public TableWriter {
 
 }  // namespace
 
-Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const SherdRow> rows,
+Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
                               ByteOrderMark mark, const FilesOfSherds& files) {
   CsvWriter table(mark);
   if (Result<void> done = writeSherds(catalogue, rows, files, table); !done) return done.error();
   return std::move(table.text);
 }
 
-Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const ContextRow> rows,
+Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
                                 ByteOrderMark mark) {
   CsvWriter table(mark);
   if (Result<void> done = writeContexts(catalogue, rows, table); !done) return done.error();
@@ -202,13 +205,15 @@ std::string columnsCsv(ByteOrderMark mark) {
   return std::move(table.text);
 }
 
-Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const SherdRow> sherds,
-                              std::span<const ContextRow> contexts, const FilesOfSherds& files) {
+Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const store::SherdRow> sherds,
+                              std::span<const store::ContextRow> contexts,
+                              const FilesOfSherds& files) {
   OdsWriter first("sherds"), second("contexts"), third("columns");
   if (Result<void> done = writeSherds(catalogue, sherds, files, first); !done) return done.error();
   if (Result<void> done = writeContexts(catalogue, contexts, second); !done) return done.error();
   writeMeanings(third);
-  return formatOds({std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)});
+  return tables::formatOds(
+      {std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)});
 }
 
 }  // namespace ostraka::exchange

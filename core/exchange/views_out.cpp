@@ -28,7 +28,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
-Result<void> addSide(BagWriter& bag, const fs::path& folder, const std::string& to,
+Result<void> addSide(archive::BagWriter& bag, const fs::path& folder, const std::string& to,
                      const std::stop_token& stop) {
   for (const fs::path& file : filesIn(folder)) {
     const std::string name = file.lexically_relative(folder).generic_string();
@@ -43,11 +43,12 @@ Result<void> addSide(BagWriter& bag, const fs::path& folder, const std::string& 
   return {};
 }
 
-Result<void> addBothSides(BagWriter& bag, const fs::path& project, const std::string& number,
-                          const fs::path& scratch, const std::stop_token& stop) {
+Result<void> addBothSides(archive::BagWriter& bag, const fs::path& project,
+                          const std::string& number, const fs::path& scratch,
+                          const std::stop_token& stop) {
   const fs::path batch = project / "batches" / number;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-    const auto views = pipeline::savedViews(project / "results" / number, batch, side, stop);
+    const auto views = review::savedViews(project / "results" / number, batch, side, stop);
     if (!views) return views.error();
     stereo::DenseOptions options;
     std::error_code code;
@@ -57,10 +58,11 @@ Result<void> addBothSides(BagWriter& bag, const fs::path& project, const std::st
     if (!held) return held.error();
     const std::string to = "views/" + number + "/" + batch::name(side) + "/";
     if (Result<void> added = addSide(bag, scratch, to, stop); !added) return added;
-    std::string names = csvLine({"image", "photograph"});
+    std::string names = tables::csvLine({"image", "photograph"});
     for (std::size_t i = 0; i < views->size(); ++i)
-      names += csvLine({stereo::viewName(i) + ".png",
-                        fs::path((*views)[i].camera.file).lexically_relative(batch).string()});
+      names +=
+          tables::csvLine({stereo::viewName(i) + ".png",
+                           fs::path((*views)[i].camera.file).lexically_relative(batch).string()});
     if (const auto added = bag.add(to + "photographs.csv", names); !added) return added.error();
   }
   return {};
@@ -118,7 +120,7 @@ Result<ViewsSize> sizeOfViews(const fs::path& project, const std::string& number
       if (image.side != side) continue;
       const fs::path photograph = batch / batch::name(side) / fs::path(image.file).filename();
       pictures.push_back({photograph,
-                          out / "work" / pipeline::maskFolder(out, side) / rig::maskName(image),
+                          out / "work" / decisions::maskFolder(out, side) / rig::maskName(image),
                           fileBytes(photograph)});
     }
     if (pictures.empty()) continue;
@@ -131,7 +133,7 @@ Result<ViewsSize> sizeOfViews(const fs::path& project, const std::string& number
   return size;
 }
 
-Result<void> addViews(BagWriter& bag, const fs::path& project, const std::string& number,
+Result<void> addViews(archive::BagWriter& bag, const fs::path& project, const std::string& number,
                       const fs::path& scratch, const std::stop_token& stop) {
   const Result<void> done = addBothSides(bag, project, number, scratch, stop);
   std::error_code ignored;

@@ -15,19 +15,19 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 Result<ordered_json> vocabulariesJson(const Catalogue& catalogue,
-                                      const std::vector<SherdRecord>& sherds) {
+                                      const std::vector<records::SherdRecord>& sherds) {
   std::map<std::string, std::set<std::string>> used;
-  for (const SherdField& field : sherdFields())
+  for (const records::SherdField& field : records::sherdFields())
     if (*field.vocabulary)
-      for (const SherdRecord& sherd : sherds)
-        for (const std::string& term : splitTerms(textOf(sherd, field.name)))
+      for (const records::SherdRecord& sherd : sherds)
+        for (const std::string& term : store::splitTerms(records::textOf(sherd, field.name)))
           used[field.vocabulary].insert(term);
   ordered_json all = ordered_json::object();
   for (const auto& [name, terms] : used) {
-    const Result<std::vector<Term>> known = catalogue.vocabulary(name);
+    const Result<std::vector<records::Term>> known = catalogue.vocabulary(name);
     if (!known) return known.error();
     ordered_json list = ordered_json::array();
-    for (const Term& term : *known) {
+    for (const records::Term& term : *known) {
       if (!terms.contains(term.term)) continue;
       ordered_json one = {{"term", term.term}};
       if (!term.labels.empty()) one["labels"] = term.labels;
@@ -40,25 +40,25 @@ Result<ordered_json> vocabulariesJson(const Catalogue& catalogue,
 }
 
 Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies,
-                              const Provenance& provenance) {
+                              const records::Provenance& provenance) {
   for (const auto& [name, list] : vocabularies.at("vocabularies").items()) {
-    Result<std::vector<Term>> terms = catalogue.vocabulary(name);
+    Result<std::vector<records::Term>> terms = catalogue.vocabulary(name);
     if (!terms) return terms.error();
     std::set<std::string> known;
-    for (const Term& term : *terms) {
-      known.insert(uniqueKey(term.term));
-      for (const auto& [language, label] : term.labels) known.insert(uniqueKey(label));
+    for (const records::Term& term : *terms) {
+      known.insert(store::uniqueKey(term.term));
+      for (const auto& [language, label] : term.labels) known.insert(store::uniqueKey(label));
     }
     const std::size_t before = terms->size();
     for (const json& one : list) {
-      Term term;
+      records::Term term;
       term.term = one.at("term").get<std::string>();
-      if (!known.insert(uniqueKey(term.term)).second) continue;
+      if (!known.insert(store::uniqueKey(term.term)).second) continue;
       if (one.contains("labels")) one.at("labels").get_to(term.labels);
       // A label that is another term's here would be taken for that one.
       std::erase_if(term.labels, [&](const auto& label) {
-        return uniqueKey(label.second) != uniqueKey(term.term) &&
-               known.contains(uniqueKey(label.second));
+        return store::uniqueKey(label.second) != store::uniqueKey(term.term) &&
+               known.contains(store::uniqueKey(label.second));
       });
       term.uri = one.value("uri", "");
       terms->push_back(std::move(term));

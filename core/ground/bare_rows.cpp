@@ -5,7 +5,7 @@
 #include "base/processors.h"
 #include "ground/exponential.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 constexpr float kFar = 18;  // chi-square of three tolerances in both: no weight beyond
@@ -105,4 +105,4 @@ void BareRow::write(cv::Vec3f* sum, float* weight, float* trusted) const {
   }
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

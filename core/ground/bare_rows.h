@@ -2,7 +2,7 @@
 #include <opencv2/core/matx.hpp>
 #include <vector>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 
 /// How much a residual looks like bare plate: brightness along (1,1,1), colour across it.
 struct Tolerance {
@@ -40,4 +40,4 @@ class BareRow {
   std::vector<float> weight_, squares_;
 };
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -2,7 +2,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 
 /// e to the x, relative error below 3e-7; x is held within +-87. Plain arithmetic, so that loops
 /// over it are vectorised and give the same bits on every processor.
@@ -35,4 +35,4 @@ inline float logOf(float x) {
   return static_cast<float>(power) * 0.693147181F + series;
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

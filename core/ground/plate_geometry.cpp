@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 constexpr int kStep = 4;  // lattice of exact values; a perspective bends little over 4 px
@@ -131,4 +131,4 @@ cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid) {
   return paper;
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -5,7 +5,7 @@
 #include "rig/camera.h"
 #include "rig/sheet_bend.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 
 /// Square cells over the plate: cell (column, row) is centred at plate x = (column - middle) *
 /// pitch, y = (row - middle) * pitch, z = 0.
@@ -46,4 +46,4 @@ cv::Mat1b insideMarkers(const cv::Mat2f& grid_of_pixel, const PlateGrid& grid);
 /// 255 on the markers' paper (marker and a quiet zone of one module), 0 elsewhere.
 cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid);
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

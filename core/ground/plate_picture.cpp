@@ -9,7 +9,7 @@
 #include "base/median.h"
 #include "ground/bare_rows.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 constexpr int kAlternations = 6;   // the alternation changes < 0.5 % after the fourth
@@ -407,4 +407,4 @@ cv::Mat3f predictBare(const PlatePicture& picture, const PlateLook& look, std::s
   return bare;
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -5,7 +5,7 @@
 
 #include "ground/plate_geometry.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 
 /// Colours are compared as log(value + kDarkLevel): a shadow and an exposure are then a shift, and
 /// the noise of the darkest levels (sensor, 8 bits, JPEG: about 1-2 levels) stays bounded.
@@ -45,4 +45,4 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
 cv::Mat3f predictBare(const PlatePicture& picture, const PlateLook& look, std::size_t index,
                       const PlateGrid& grid);
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

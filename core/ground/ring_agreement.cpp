@@ -6,7 +6,7 @@
 
 #include "base/median.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 // Sums of a correlation.
@@ -45,4 +45,4 @@ RingAgreement ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const
   return {whole.value(), values.empty() ? 0 : medianOf(std::move(values))};
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -3,7 +3,7 @@
 
 #include "ground/plate_picture.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 
 /// Correlation of the empty photograph with a stop's own marker ring: tells whether the plate stood
 /// at that stop when it was taken.
@@ -15,4 +15,4 @@ struct RingAgreement {
 /// empty: log colours of the empty photograph; look: of the stop; paper: markerPaper.
 RingAgreement ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const cv::Mat1b& paper);
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -11,7 +11,7 @@
 #include "ground/plate_picture.h"
 #include "rig/marker_dictionary.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 constexpr int kDrawnFiner = 3;   // drawn so much finer than the grid, then averaged
@@ -481,4 +481,4 @@ cv::Mat1f seenBare(const SheetPicture& picture, const cv::Mat3f& residual,
   return bare;
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

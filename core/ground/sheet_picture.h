@@ -8,7 +8,7 @@
 #include "batch/batch.h"
 #include "ground/plate_geometry.h"
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 
 /// The sheet as it was printed: share of bare paper (not ink) in each cell of the grid, 0..1;
 /// negative beyond the sheet's edge. Errors: UnusableInput (dictionary).
@@ -59,4 +59,4 @@ cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const
 cv::Mat1f seenBare(const SheetPicture& picture, const cv::Mat3f& residual,
                    const cv::Mat2f& grid_of_pixel);
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

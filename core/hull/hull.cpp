@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 
-namespace ostraka::mask {
+namespace ostraka::hull {
 namespace {
 
 constexpr int kFloorLayers = 3;  // a sherd touches the plate somewhere; a hull is a voxel too wide
@@ -198,4 +198,4 @@ void dropGroupsAtSides(const HullSpace& space, std::vector<unsigned char>& voxel
     if (at_side[voxel]) voxel = 0;
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::hull

@@ -6,7 +6,7 @@
 
 #include "rig/camera.h"
 
-namespace ostraka::mask {
+namespace ostraka::hull {
 
 /// Which space the hull is carved from: a box of cubic voxels.
 struct HullSpace {
@@ -60,4 +60,4 @@ int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, 
 /// says what the ground is beyond, such a group is mostly that.
 void dropGroupsAtSides(const HullSpace& space, std::vector<unsigned char>& voxels);
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::hull

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace ostraka::mask {
+namespace ostraka::hull {
 namespace {
 
 constexpr float kSlackVoxels = 1;  // a hull's outermost voxel says nothing
@@ -51,4 +51,4 @@ HullOdds learnHullOdds(std::span<const HullSight> sights, int reduction) {
   return odds;
 }
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::hull

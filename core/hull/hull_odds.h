@@ -3,7 +3,7 @@
 #include <opencv2/core/mat.hpp>
 #include <span>
 
-namespace ostraka::mask {
+namespace ostraka::hull {
 
 /// What one view tells of the hull; all but log_odds are reduced.
 struct HullSight {
@@ -27,4 +27,4 @@ struct HullOdds {
 /// black sherd, which is not, gets what the others say of its depth.
 HullOdds learnHullOdds(std::span<const HullSight> sights, int reduction);
 
-}  // namespace ostraka::mask
+}  // namespace ostraka::hull

@@ -8,7 +8,7 @@
 #include "review/review.h"
 #include "store/database.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 constexpr const char* kAsked = "yes";
@@ -17,62 +17,73 @@ std::string keyOf(const std::string& batch_number) {
   return "queue.again." + batch_number;
 }
 
-bool isComputed(BatchState state) {
-  return state == BatchState::Review || state == BatchState::Done;
+bool isComputed(records::BatchState state) {
+  return state == records::BatchState::Review || state == records::BatchState::Done;
 }
 
 // The state that it had when it was queued; Queued when that is not known.
-BatchState stateBefore(const Catalogue& catalogue, BatchRow batch) {
-  const std::vector<HistoryEntry> history = valueOrThrow(catalogue.history("batch", batch.value));
-  const auto queued = std::find_if(history.begin(), history.end(),
-                                   [](const HistoryEntry& e) { return e.field == "state"; });
-  return queued == history.end() ? BatchState::Queued : fromWord<BatchState>(queued->old_value);
+records::BatchState stateBefore(const catalogue::Catalogue& catalogue, store::BatchRow batch) {
+  const std::vector<records::HistoryEntry> history =
+      catalogue::valueOrThrow(catalogue.history("batch", batch.value));
+  const auto queued =
+      std::find_if(history.begin(), history.end(),
+                   [](const records::HistoryEntry& e) { return e.field == "state"; });
+  return queued == history.end() ? records::BatchState::Queued
+                                 : records::fromWord<records::BatchState>(queued->old_value);
 }
 
 }  // namespace
 
-Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
-                        const Provenance& provenance) {
+Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                        const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
-    if (batch.state <= BatchState::Back)
-      refuse("This batch is still being photographed; it is processed afterwards.", batch_number);
+    const records::BatchRecord batch =
+        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
+    if (batch.state <= records::BatchState::Back)
+      store::refuse("This batch is still being photographed; it is processed afterwards.",
+                    batch_number);
     // What waits cannot be told from what is being computed: both are so until their results are
     // entered. Where it only waits, its beginning forgets this.
-    if (batch.state == BatchState::Queued || batch.state == BatchState::Computed)
-      valueOrThrow(catalogue.setSetting(keyOf(batch_number), kAsked));
-    valueOrThrow(catalogue.setBatchState(batch.row, BatchState::Queued, provenance));
+    if (batch.state == records::BatchState::Queued || batch.state == records::BatchState::Computed)
+      catalogue::valueOrThrow(catalogue.setSetting(keyOf(batch_number), kAsked));
+    catalogue::valueOrThrow(
+        catalogue.setBatchState(batch.row, records::BatchState::Queued, provenance));
   });
 }
 
-Result<void> beginComputing(Catalogue& catalogue, const std::string& batch_number) {
+Result<void> beginComputing(catalogue::Catalogue& catalogue, const std::string& batch_number) {
   const Result<std::string> asked = catalogue.setting(keyOf(batch_number));
   if (!asked) return asked.error();
   return asked->empty() ? Result<void>() : catalogue.setSetting(keyOf(batch_number), {});
 }
 
-Result<bool> queueIfAsked(Catalogue& catalogue, const std::string& batch_number,
-                          const Provenance& provenance) {
+Result<bool> queueIfAsked(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                          const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    if (valueOrThrow(catalogue.setting(keyOf(batch_number))) != kAsked) return false;
-    valueOrThrow(catalogue.setSetting(keyOf(batch_number), {}));
-    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
+    if (catalogue::valueOrThrow(catalogue.setting(keyOf(batch_number))) != kAsked) return false;
+    catalogue::valueOrThrow(catalogue.setSetting(keyOf(batch_number), {}));
+    const records::BatchRecord batch =
+        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
     if (!isComputed(batch.state)) return false;
-    valueOrThrow(catalogue.setBatchState(batch.row, BatchState::Queued, provenance));
+    catalogue::valueOrThrow(
+        catalogue.setBatchState(batch.row, records::BatchState::Queued, provenance));
     return true;
   });
 }
 
-Result<bool> takeOutOfQueue(Catalogue& catalogue, const std::string& batch_number,
-                            const std::filesystem::path& output, const Provenance& provenance) {
+Result<bool> takeOutOfQueue(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                            const std::filesystem::path& output,
+                            const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
-    if (batch.state != BatchState::Queued || !pipeline::computedToItsEnd(output)) return false;
-    const BatchState before = stateBefore(catalogue, batch.row);
+    const records::BatchRecord batch =
+        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
+    if (batch.state != records::BatchState::Queued || !review::computedToItsEnd(output))
+      return false;
+    const records::BatchState before = stateBefore(catalogue, batch.row);
     if (!isComputed(before)) return false;
-    valueOrThrow(catalogue.setBatchState(batch.row, before, provenance));
+    catalogue::valueOrThrow(catalogue.setBatchState(batch.row, before, provenance));
     return true;
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

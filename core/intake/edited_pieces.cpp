@@ -6,11 +6,11 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
-using pipeline::DecisionKind;
-using pipeline::kSamePiece_mm;
+using decisions::DecisionKind;
+using decisions::kSamePiece_mm;
 using Places = std::vector<Eigen::Vector2d>;
 
 constexpr double kCrumb = 0.1;  // of a piece's points
@@ -22,7 +22,7 @@ bool isAmong(const Places& places, const Eigen::Vector2d& place_mm) {
 }
 
 // Above 0 on the left of the line.
-double sideOf(const pipeline::PairDecision& split, const Eigen::Vector2d& place_mm) {
+double sideOf(const decisions::PairDecision& split, const Eigen::Vector2d& place_mm) {
   const Eigen::Vector2d along = split.cut_mm[1] - split.cut_mm[0];
   const Eigen::Vector2d to = place_mm - split.cut_mm[0];
   return along.x() * to.y() - along.y() * to.x();
@@ -30,22 +30,22 @@ double sideOf(const pipeline::PairDecision& split, const Eigen::Vector2d& place_
 
 }  // namespace
 
-std::optional<Eigen::Vector2d> placeOf(const ScanRecord& scan) {
+std::optional<Eigen::Vector2d> placeOf(const records::ScanRecord& scan) {
   if (!scan.plate_x_mm || !scan.plate_y_mm) return std::nullopt;
   return Eigen::Vector2d(*scan.plate_x_mm, *scan.plate_y_mm);
 }
 
-Places joinedPlaces(const pipeline::PairDecision& join, const pipeline::Decisions& edits) {
+Places joinedPlaces(const decisions::PairDecision& join, const decisions::Decisions& edits) {
   Places places;
-  for (const pipeline::ScanRef& ref : join.scans) places.push_back(ref.place_mm);
+  for (const decisions::ScanRef& ref : join.scans) places.push_back(ref.place_mm);
   for (bool grew = true; grew;) {
     grew = false;
-    for (const pipeline::PairDecision& other : edits) {
+    for (const decisions::PairDecision& other : edits) {
       if (other.kind != DecisionKind::Join || other.scans.front().side != join.scans.front().side)
         continue;
-      const auto has = [&](const pipeline::ScanRef& ref) { return isAmong(places, ref.place_mm); };
+      const auto has = [&](const decisions::ScanRef& ref) { return isAmong(places, ref.place_mm); };
       if (std::none_of(other.scans.begin(), other.scans.end(), has)) continue;
-      for (const pipeline::ScanRef& ref : other.scans)
+      for (const decisions::ScanRef& ref : other.scans)
         if (!has(ref)) {
           places.push_back(ref.place_mm);
           grew = true;
@@ -64,9 +64,9 @@ bool liesBetween(const Eigen::Vector2d& place_mm, const Places& parts_mm) {
   return cv::pointPolygonTest(hull, at, true) > -kSamePiece_mm;
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> halvesOf(const pipeline::PairDecision& split,
-                                                            const std::vector<ScanRecord>& scans) {
-  const pipeline::ScanRef& cut = split.scans.front();
+std::optional<std::pair<std::size_t, std::size_t>> halvesOf(
+    const decisions::PairDecision& split, const std::vector<records::ScanRecord>& scans) {
+  const decisions::ScanRef& cut = split.scans.front();
   struct Piece {
     std::size_t index;
     Eigen::Vector2d place_mm;
@@ -102,8 +102,9 @@ std::optional<std::pair<std::size_t, std::size_t>> halvesOf(const pipeline::Pair
   return halves;
 }
 
-std::vector<ScanRow> madeBy(const pipeline::PairDecision& edit, const pipeline::Decisions& edits,
-                            const std::vector<ScanRecord>& scans) {
+std::vector<store::ScanRow> madeBy(const decisions::PairDecision& edit,
+                                   const decisions::Decisions& edits,
+                                   const std::vector<records::ScanRecord>& scans) {
   if (edit.kind == DecisionKind::Split) {
     const auto halves = halvesOf(edit, scans);
     if (!halves) return {};
@@ -111,9 +112,9 @@ std::vector<ScanRow> madeBy(const pipeline::PairDecision& edit, const pipeline::
   }
   // The largest between the parts; of two that lie at parts' places neither is it.
   const Places parts = joinedPlaces(edit, edits);
-  const ScanRecord* whole = nullptr;
+  const records::ScanRecord* whole = nullptr;
   int at_parts = 0;
-  for (const ScanRecord& scan : scans) {
+  for (const records::ScanRecord& scan : scans) {
     const auto place = placeOf(scan);
     if (!place || !scan.isThere() || scan.side != edit.scans.front().side) continue;
     at_parts += isAmong(parts, *place) ? 1 : 0;
@@ -121,7 +122,7 @@ std::vector<ScanRow> madeBy(const pipeline::PairDecision& edit, const pipeline::
         (whole == nullptr || scan.points.value_or(0) > whole->points.value_or(0)))
       whole = &scan;
   }
-  return whole == nullptr || at_parts > 1 ? std::vector<ScanRow>() : std::vector{whole->row};
+  return whole == nullptr || at_parts > 1 ? std::vector<store::ScanRow>() : std::vector{whole->row};
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -24,7 +24,7 @@
 #include "store/values.h"
 #include "upkeep/project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ bool samePose(const std::optional<Eigen::Isometry3d>& a,
   return a->matrix().isApprox(b->matrix(), 1e-12);
 }
 
-bool sameWord(const PairDecision& a, const PairDecision& b) {
+bool sameWord(const records::PairDecision& a, const records::PairDecision& b) {
   return a.front == b.front && a.back == b.back && a.score == b.score && a.margin == b.margin &&
          a.ambiguous == b.ambiguous && a.fracture_rms_mm == b.fracture_rms_mm &&
          a.fracture_overlap == b.fracture_overlap && a.note == b.note &&
@@ -47,57 +47,63 @@ enum class BatchItself { Settled, LeftAsItIs };
 
 class Entering {
  public:
-  Entering(Catalogue& catalogue, BatchRow batch, const Provenance& provenance)
+  Entering(catalogue::Catalogue& catalogue, store::BatchRow batch,
+           const records::Provenance& provenance)
       : catalogue_(catalogue), batch_(batch), provenance_{{}, "process", provenance.why} {}
 
   EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
     scans(read.scans, read.edits);
-    valueOrThrow(followDecisions(catalogue_, valueOrThrow(catalogue_.batch(batch_)).number, out));
+    catalogue::valueOrThrow(
+        followDecisions(catalogue_, catalogue::valueOrThrow(catalogue_.batch(batch_)).number, out));
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
-    entered_.numbers_left = valueOrThrow(giveTypedNumbers(catalogue_, batch_, provenance_));
-    taken_back_ = valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
-    valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
+    entered_.numbers_left =
+        catalogue::valueOrThrow(catalogue::giveTypedNumbers(catalogue_, batch_, provenance_));
+    taken_back_ = catalogue::valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
+    catalogue::valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
-      FileRecord record = file.record;
+      records::FileRecord record = file.record;
       if (!file.sherd_front.empty()) record.sherd = sherdOf(file.sherd_front, file.sherd_back);
-      valueOrThrow(catalogue_.save(record, provenance_));
+      catalogue::valueOrThrow(catalogue_.save(record, provenance_));
       ++entered_.files;
     }
     countOpen();
-    entered_.decided_meanwhile = pipeline::wantsComputing(out);
+    entered_.decided_meanwhile = review::wantsComputing(out);
     if (then == BatchItself::Settled) settle(read);
     return entered_;
   }
 
  private:
   void settle(const ReadResults& read) {
-    BatchRecord batch = valueOrThrow(catalogue_.batch(batch_));
+    records::BatchRecord batch = catalogue::valueOrThrow(catalogue_.batch(batch_));
     const bool open = entered_.open > 0 || entered_.decided_meanwhile;
-    batch.state = open || !read.scale_doubts.empty() ? BatchState::Review : BatchState::Done;
+    batch.state = open || !read.scale_doubts.empty() ? records::BatchState::Review
+                                                     : records::BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
     batch.scale_doubts = read.scale_doubts;
-    valueOrThrow(catalogue_.saveBatch(batch, provenance_));
+    catalogue::valueOrThrow(catalogue_.saveBatch(batch, provenance_));
   }
 
   // Pieces are numbered anew by each computation, in the order of their places; what a person said
   // about one must stay with it, so it is known by its place.
-  void scans(std::vector<ScanRecord> found, const pipeline::Decisions& edits) {
-    const std::vector<ScanRecord> known = valueOrThrow(catalogue_.scans(batch_));
-    const std::vector<int> same = samePieces(known, found, edits, typedOn(catalogue_, batch_));
+  void scans(std::vector<records::ScanRecord> found, const decisions::Decisions& edits) {
+    const std::vector<records::ScanRecord> known =
+        catalogue::valueOrThrow(catalogue_.scans(batch_));
+    const std::vector<int> same =
+        samePieces(known, found, edits, catalogue::typedOn(catalogue_, batch_));
     for (std::size_t i = 0; i < known.size(); ++i) {
       const bool gone = same[i] < 0;
       if (gone && !known[i].isThere()) continue;
-      ScanRecord scan = known[i];
+      records::ScanRecord scan = known[i];
       scan.index = -static_cast<int>(scan.row.value);  // out of the way of the others
       if (gone) {
         scan.name += "-earlier" + std::to_string(scan.row.value);
-        valueOrThrow(catalogue_.save(scan, provenance_));
+        catalogue::valueOrThrow(catalogue_.save(scan, provenance_));
         continue;
       }
-      ScanRecord& now = found[static_cast<std::size_t>(same[i])];
+      records::ScanRecord& now = found[static_cast<std::size_t>(same[i])];
       now.row = scan.row;
       if (now.index != known[i].index)
         catalogue_.database()
@@ -105,72 +111,75 @@ class Entering {
             .with(scan.index, scan.row)
             .run();
     }
-    for (const ScanRecord& scan : found) {
-      rows_[scan.name] = valueOrThrow(catalogue_.save(scan, provenance_));
+    for (const records::ScanRecord& scan : found) {
+      rows_[scan.name] = catalogue::valueOrThrow(catalogue_.save(scan, provenance_));
       ++entered_.scans;
     }
   }
 
-  ScanRow scan(const std::string& name) const {
+  store::ScanRow scan(const std::string& name) const {
     const auto found = rows_.find(name);
     if (found == rows_.end())
-      refuse("The pair table names the scan " + name +
-             ", which is missing; run 'ostraka process' again.");
+      store::refuse("The pair table names the scan " + name +
+                    ", which is missing; run 'ostraka process' again.");
     return found->second;
   }
 
   void decide(const ReadResults& read) {
-    std::vector<PairDecision> standing;  // the program's words that were not taken back
-    std::map<DecisionRow, bool> withdrawn;
-    const std::vector<PairDecision> all = valueOrThrow(catalogue_.decisions(batch_));
-    for (const PairDecision& d : all)
-      if (!d.by && d.verdict == Verdict::Withdraw) withdrawn[d.replaces] = true;
-    for (const PairDecision& d : all)
-      if (!d.by && d.verdict == Verdict::Accept && !withdrawn.contains(d.row))
+    std::vector<records::PairDecision> standing;  // the program's words that were not taken back
+    std::map<store::DecisionRow, bool> withdrawn;
+    const std::vector<records::PairDecision> all =
+        catalogue::valueOrThrow(catalogue_.decisions(batch_));
+    for (const records::PairDecision& d : all)
+      if (!d.by && d.verdict == records::Verdict::Withdraw) withdrawn[d.replaces] = true;
+    for (const records::PairDecision& d : all)
+      if (!d.by && d.verdict == records::Verdict::Accept && !withdrawn.contains(d.row))
         standing.push_back(d);
-    std::vector<PairDecision> said = read.pairs;
+    std::vector<records::PairDecision> said = read.pairs;
     for (std::size_t i = 0; i < said.size(); ++i) {
       said[i].front = scan(read.pair_names[i].first);
       said[i].back = scan(read.pair_names[i].second);
     }
-    const auto isIn = [](const std::vector<PairDecision>& list, const PairDecision& d) {
+    const auto isIn = [](const std::vector<records::PairDecision>& list,
+                         const records::PairDecision& d) {
       return std::any_of(list.begin(), list.end(),
-                         [&](const PairDecision& other) { return sameWord(other, d); });
+                         [&](const records::PairDecision& other) { return sameWord(other, d); });
     };
-    for (const PairDecision& old : standing)
+    for (const records::PairDecision& old : standing)
       if (!isIn(said, old)) {
-        PairDecision back;
+        records::PairDecision back;
         back.batch = batch_;
-        back.verdict = Verdict::Withdraw;
+        back.verdict = records::Verdict::Withdraw;
         back.replaces = old.row;
-        valueOrThrow(catalogue_.decide(back, provenance_));
+        catalogue::valueOrThrow(catalogue_.decide(back, provenance_));
       }
-    const std::size_t before = valueOrThrow(catalogue_.sherdRows(batch_)).size();
-    for (const PairDecision& d : said)
+    const std::size_t before = catalogue::valueOrThrow(catalogue_.sherdRows(batch_)).size();
+    for (const records::PairDecision& d : said)
       if (!isIn(standing, d)) {
-        valueOrThrow(catalogue_.decide(d, provenance_));
+        catalogue::valueOrThrow(catalogue_.decide(d, provenance_));
         ++entered_.decisions;
       }
-    const std::size_t after = valueOrThrow(catalogue_.sherdRows(batch_)).size();
+    const std::size_t after = catalogue::valueOrThrow(catalogue_.sherdRows(batch_)).size();
     entered_.new_sherds = after > before ? static_cast<int>(after - before) : 0;
-    current_ = valueOrThrow(catalogue_.currentDecisions(batch_));
-    for (const PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
+    current_ = catalogue::valueOrThrow(catalogue_.currentDecisions(batch_));
+    for (const records::PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
   }
 
   // The sherd of this pair, if the pair is what counts now, of pieces that still hold.
-  SherdRow sherdOf(const std::string& front, const std::string& back) {
-    const ScanRow f = scan(front), b = scan(back);
+  store::SherdRow sherdOf(const std::string& front, const std::string& back) {
+    const store::ScanRow f = scan(front), b = scan(back);
     if (taken_back_.contains(f) || taken_back_.contains(b)) return {};
-    Statement row = catalogue_.database().sql("SELECT row FROM sherd WHERE front = ? AND back = ?");
-    SherdRow sherd;
+    store::Statement row =
+        catalogue_.database().sql("SELECT row FROM sherd WHERE front = ? AND back = ?");
+    store::SherdRow sherd;
     if (row.with(f, b).next()) row >> sherd;
     return sherd;
   }
 
   void model(const ReadSherd& read) {
-    const SherdRow sherd = sherdOf(read.front, read.back);
+    const store::SherdRow sherd = sherdOf(read.front, read.back);
     if (!sherd || read.model_path.empty()) return;
-    valueOrThrow(catalogue_.setModel(sherd, read.model_path, read.preview_path));
+    catalogue::valueOrThrow(catalogue_.setModel(sherd, read.model_path, read.preview_path));
     catalogue_.database()
         .sql(
             "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
@@ -179,9 +188,9 @@ class Entering {
         .run();
     ++entered_.models;
     for (const auto& [kind, value] : read.measures) {
-      setMeasure(catalogue_,
-                 {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256},
-                 provenance_, MeasureRank::PersonFirst);
+      catalogue::setMeasure(
+          catalogue_, {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256},
+          provenance_, catalogue::MeasureRank::PersonFirst);
       ++entered_.measurements;
     }
   }
@@ -189,30 +198,33 @@ class Entering {
   // Doubtful pairs, and scans that nobody has paired or set aside; not those that were joined to
   // others and are no pieces any more.
   void countOpen() {
-    for (const ScanRecord& scan : valueOrThrow(catalogue_.scans(batch_)))
-      entered_.open += scan.state == ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
-    for (const PairDecision& d : current_)  // a doubtful pair is two open scans, and one question
-      if (d.verdict == Verdict::Accept && !d.by && d.ambiguous) --entered_.open;
+    for (const records::ScanRecord& scan : catalogue::valueOrThrow(catalogue_.scans(batch_)))
+      entered_.open += scan.state == records::ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
+    for (const records::PairDecision& d :
+         current_)  // a doubtful pair is two open scans, and one question
+      if (d.verdict == records::Verdict::Accept && !d.by && d.ambiguous) --entered_.open;
   }
 
-  Catalogue& catalogue_;
-  BatchRow batch_;
-  Provenance provenance_;
-  std::map<std::string, ScanRow> rows_;
-  std::set<ScanRow> taken_back_;  // pieces that nobody wants joined or cut so any more
-  std::vector<PairDecision> current_;
+  catalogue::Catalogue& catalogue_;
+  store::BatchRow batch_;
+  records::Provenance provenance_;
+  std::map<std::string, store::ScanRow> rows_;
+  std::set<store::ScanRow> taken_back_;  // pieces that nobody wants joined or cut so any more
+  std::vector<records::PairDecision> current_;
   EnteredResults entered_;
 };
 
-Result<EnteredResults> entered(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                               const fs::path& out, const Provenance& provenance, BatchItself then,
+Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& project,
+                               store::BatchRow batch, const fs::path& out,
+                               const records::Provenance& provenance, BatchItself then,
                                Progress& progress, std::stop_token stop) {
   // Models that one entering has kept and not entered yet are in use by nobody for another one.
   static std::mutex one_by_one;
   const std::scoped_lock alone(one_by_one);
-  const Result<BatchRecord> record = catalogue.batch(batch);
+  const Result<records::BatchRecord> record = catalogue.batch(batch);
   if (!record) return record.error();
-  if (const Result<void> dropped = dropUnusedModels(catalogue, project, record->number); !dropped)
+  if (const Result<void> dropped = catalogue::dropUnusedModels(catalogue, project, record->number);
+      !dropped)
     return dropped.error();
   const Result<ReadResults> read =
       catalogue.database().door([&] { return readResults(project, *record, out, progress, stop); });
@@ -223,9 +235,10 @@ Result<EnteredResults> entered(Catalogue& catalogue, const fs::path& project, Ba
 
 }  // namespace
 
-Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                                    const fs::path& out, const Provenance& provenance,
-                                    Progress& progress, std::stop_token stop) {
+Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::path& project,
+                                    store::BatchRow batch, const fs::path& out,
+                                    const records::Provenance& provenance, Progress& progress,
+                                    std::stop_token stop) {
   return entered(catalogue, project, batch, out, provenance, BatchItself::Settled, progress,
                  std::move(stop));
 }
@@ -235,15 +248,15 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
   const fs::path out = project / "results" / batch;
   std::error_code failed;
   if (!fs::exists(out / "report.json", failed)) return false;
-  Result<Catalogue> catalogue = Project::connect(project);
+  Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
-  const Result<BatchRecord> record = catalogue->batchByNumber(batch);
+  const Result<records::BatchRecord> record = catalogue->batchByNumber(batch);
   if (!record) return record.error();
-  const Result<std::vector<SherdRow>> rows = catalogue->sherdRows(record->row);
+  const Result<std::vector<store::SherdRow>> rows = catalogue->sherdRows(record->row);
   if (!rows) return rows.error();
-  const Result<std::vector<SherdRecord>> sherds = catalogue->sherds(*rows);
+  const Result<std::vector<records::SherdRecord>> sherds = catalogue->sherds(*rows);
   if (!sherds) return sherds.error();
-  if (std::none_of(sherds->begin(), sherds->end(), [](const SherdRecord& sherd) {
+  if (std::none_of(sherds->begin(), sherds->end(), [](const records::SherdRecord& sherd) {
         return sherd.front && sherd.back && sherd.model_path.empty();
       }))
     return false;
@@ -255,10 +268,10 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
   return again->models > 0;
 }
 
-Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                             const Provenance& provenance, Progress& progress,
-                             std::stop_token stop) {
-  const Result<BatchRecord> record = catalogue.batch(batch);
+Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
+                             store::BatchRow batch, const records::Provenance& provenance,
+                             Progress& progress, std::stop_token stop) {
+  const Result<records::BatchRecord> record = catalogue.batch(batch);
   if (!record) return record.error();
   const Result<batch::Batch> folder =
       batch::readBatch(project / "batches" / record->number, {}, progress);
@@ -268,14 +281,14 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
       capture::readManifest(project / "batches" / record->number);
   if (!noted) progress.note(NoteLevel::Warning, noted.error().sentence());
   struct Photograph {
-    PhotographRecord shot;
-    FileRecord file;
+    records::PhotographRecord shot;
+    records::FileRecord file;
   };
   const Result<std::vector<Photograph>> read = catalogue.database().door([&] {
     std::vector<Photograph> all;
     for (const batch::Shot& shot : folder->shots) {
-      if (stop.stop_requested()) throw Refused(Error::cancelled());
-      const std::string bytes = valueOrThrow(readFile(shot.file));
+      if (stop.stop_requested()) throw store::Refused(Error::cancelled());
+      const std::string bytes = catalogue::valueOrThrow(readFile(shot.file));
       Photograph p;
       p.shot.batch = batch;
       p.shot.side = shot.side;
@@ -309,11 +322,11 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
   if (!read) return read.error();
   return catalogue.database().inTransaction([&] {
     for (const Photograph& p : *read) {
-      valueOrThrow(catalogue.save(p.shot, provenance));
-      valueOrThrow(catalogue.save(p.file, provenance));
+      catalogue::valueOrThrow(catalogue.save(p.shot, provenance));
+      catalogue::valueOrThrow(catalogue.save(p.file, provenance));
     }
     return static_cast<int>(read->size());
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
 struct EnteredResults {
   int scans = 0, decisions = 0, new_sherds = 0, models = 0, measurements = 0, files = 0;
@@ -22,9 +22,10 @@ struct EnteredResults {
 /// the program's pair decisions, draft sherds, measurements, files with their hashes. Doing it
 /// twice changes nothing; what a person decided is kept. `out` lies in the project's folder.
 /// The batch's state becomes Review when something wants a person, else Done.
-Result<EnteredResults> enterResults(Catalogue& catalogue, const std::filesystem::path& project,
-                                    BatchRow batch, const std::filesystem::path& out,
-                                    const Provenance& provenance, Progress& progress,
+Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue,
+                                    const std::filesystem::path& project, store::BatchRow batch,
+                                    const std::filesystem::path& out,
+                                    const records::Provenance& provenance, Progress& progress,
                                     std::stop_token stop);
 
 /// Enters the results of a batch again if a sherd with both sides has no model in the catalogue, as
@@ -34,8 +35,8 @@ Result<bool> enterLostModels(const std::filesystem::path& project, const std::st
                              Progress& progress, std::stop_token stop);
 
 /// The photographs of a batch folder as rows, with their files and hashes; idempotent.
-Result<int> enterPhotographs(Catalogue& catalogue, const std::filesystem::path& project,
-                             BatchRow batch, const Provenance& provenance, Progress& progress,
-                             std::stop_token stop);
+Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const std::filesystem::path& project,
+                             store::BatchRow batch, const records::Provenance& provenance,
+                             Progress& progress, std::stop_token stop);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

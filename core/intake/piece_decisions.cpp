@@ -9,10 +9,10 @@
 #include "store/names.h"
 #include "store/statement.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
 template <>
-struct Words<PieceVerdict> {
+struct records::Words<PieceVerdict> {
   static constexpr std::array<const char*, 3> all = {"join", "cut", "withdraw"};
 };
 
@@ -54,39 +54,43 @@ void readTexts(PieceDecision& d, const std::string& pieces, const std::string& c
   }
 }
 
-void check(Database& database, const PieceDecision& d, const Provenance& provenance) {
-  if (!provenance.person) refuse("A decision needs the name of the person who makes it.");
+void check(store::Database& database, const PieceDecision& d,
+           const records::Provenance& provenance) {
+  if (!provenance.person) store::refuse("A decision needs the name of the person who makes it.");
   if (d.verdict == PieceVerdict::Join && d.pieces.size() < 2)
-    refuse("A merge needs two or more fragments.");
+    store::refuse("A merge needs two or more fragments.");
   if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1)
-    refuse("A split needs exactly one fragment.");
+    store::refuse("A split needs exactly one fragment.");
   if (d.verdict != PieceVerdict::Withdraw) return;
-  Statement row = database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?");
-  if (!row.with(d.replaces, d.batch).next()) refuse("The decision to undo is not in this batch.");
+  store::Statement row = database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?");
+  if (!row.with(d.replaces, d.batch).next())
+    store::refuse("The decision to undo is not in this batch.");
 }
 
 }  // namespace
 
-Result<PieceDecisionRow> decidePieces(Catalogue& catalogue, const PieceDecision& d,
-                                      const Provenance& provenance) {
-  Database& database = catalogue.database();
+Result<PieceDecisionRow> decidePieces(catalogue::Catalogue& catalogue, const PieceDecision& d,
+                                      const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     check(database, d, provenance);
     database
         .sql(
             "INSERT INTO piece_decision (id, at, person, batch, side, verdict, pieces, cut_mm, "
             "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(newId(catalogue.now()), catalogue.now(), provenance.person, d.batch, wordOf(d.side),
-              wordOf(d.verdict), piecesText(d), cutText(d), d.replaces, d.note)
+        .with(store::newId(catalogue.now()), catalogue.now(), provenance.person, d.batch,
+              records::wordOf(d.side), records::wordOf(d.verdict), piecesText(d), cutText(d),
+              d.replaces, d.note)
         .run();
     return PieceDecisionRow{database.lastRow()};
   });
 }
 
-Result<std::vector<PieceDecision>> pieceDecisions(const Catalogue& catalogue, BatchRow batch) {
+Result<std::vector<PieceDecision>> pieceDecisions(const catalogue::Catalogue& catalogue,
+                                                  store::BatchRow batch) {
   return catalogue.database().door([&] {
     std::vector<PieceDecision> all;
-    Statement rows = catalogue.database().sql(
+    store::Statement rows = catalogue.database().sql(
         "SELECT row, batch, side, verdict, pieces, cut_mm, person, replaces, note, at FROM "
         "piece_decision WHERE batch = ? ORDER BY row");
     rows.with(batch);
@@ -95,8 +99,8 @@ Result<std::vector<PieceDecision>> pieceDecisions(const Catalogue& catalogue, Ba
       std::string side, verdict, pieces, cut;
       rows >> d.row >> d.batch >> side >> verdict >> pieces >> cut >> d.by >> d.replaces >>
           d.note >> d.at_ms;
-      d.side = fromWord<batch::Side>(side);
-      d.verdict = fromWord<PieceVerdict>(verdict);
+      d.side = records::fromWord<batch::Side>(side);
+      d.verdict = records::fromWord<PieceVerdict>(verdict);
       readTexts(d, pieces, cut);
       all.push_back(std::move(d));
     }
@@ -104,4 +108,4 @@ Result<std::vector<PieceDecision>> pieceDecisions(const Catalogue& catalogue, Ba
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -6,9 +6,9 @@
 
 #include "catalogue/catalogue.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
-using PieceDecisionRow = RowOf<struct PieceDecisionTag>;
+using PieceDecisionRow = store::RowOf<struct PieceDecisionTag>;
 
 enum class PieceVerdict {
   Join,     ///< these pieces of one side are one sherd
@@ -26,13 +26,13 @@ struct NamedPiece {
 /// One row of the append-only list beside the pair decisions.
 struct PieceDecision {
   PieceDecisionRow row;
-  BatchRow batch;
+  store::BatchRow batch;
   batch::Side side = batch::Side::Front;
   PieceVerdict verdict = PieceVerdict::Join;
   std::vector<NamedPiece> pieces;            ///< Join: two or more. Cut: one
   std::array<Eigen::Vector2d, 2> cut_mm = {  ///< Cut: the line, on the side's plate
       Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-  PersonRow by;
+  store::PersonRow by;
   PieceDecisionRow replaces;  ///< Withdraw
   std::string note;
   std::int64_t at_ms = 0;
@@ -40,9 +40,11 @@ struct PieceDecision {
 
 /// Adds a row; the scans follow when the batch is computed again. Errors: refusals as sentences
 /// (no person, a wrong number of pieces, a withdrawal of what is not in this batch).
-Result<PieceDecisionRow> decidePieces(Catalogue& catalogue, const PieceDecision& decision,
-                                      const Provenance& provenance);
+Result<PieceDecisionRow> decidePieces(catalogue::Catalogue& catalogue,
+                                      const PieceDecision& decision,
+                                      const records::Provenance& provenance);
 /// All of a batch, oldest first.
-Result<std::vector<PieceDecision>> pieceDecisions(const Catalogue& catalogue, BatchRow batch);
+Result<std::vector<PieceDecision>> pieceDecisions(const catalogue::Catalogue& catalogue,
+                                                  store::BatchRow batch);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -5,9 +5,9 @@
 
 #include "intake/same_pieces.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
-PlateSherds::PlateSherds(const Catalogue& catalogue, const std::string& batch_number) {
+PlateSherds::PlateSherds(const catalogue::Catalogue& catalogue, const std::string& batch_number) {
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return;
   const auto scans = catalogue.scans(batch->row);
@@ -16,8 +16,8 @@ PlateSherds::PlateSherds(const Catalogue& catalogue, const std::string& batch_nu
   auto sherds = catalogue.sherds(*rows);
   if (!sherds) return;
   sherds_ = std::move(*sherds);
-  if (auto again = photographedAgain(catalogue, batch->row)) again_ = std::move(*again);
-  for (const ScanRecord& scan : *scans) {
+  if (auto again = catalogue::photographedAgain(catalogue, batch->row)) again_ = std::move(*again);
+  for (const records::ScanRecord& scan : *scans) {
     if (scan.side != batch::Side::Front || !scan.isThere()) continue;
     if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
     places_.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
@@ -26,40 +26,41 @@ PlateSherds::PlateSherds(const Catalogue& catalogue, const std::string& batch_nu
 }
 
 int PlateSherds::scanAt(const Eigen::Vector2d& place_mm) const {
-  return pipeline::resolved({batch::Side::Front, {}, place_mm, {}}, places_);
+  return decisions::resolved({batch::Side::Front, {}, place_mm, {}}, places_);
 }
 
-const SherdRecord* PlateSherds::ofScan(int scan) const {
+const records::SherdRecord* PlateSherds::ofScan(int scan) const {
   if (scan < 0) return nullptr;
-  const ScanRow front = fronts_[static_cast<std::size_t>(scan)].row;
+  const store::ScanRow front = fronts_[static_cast<std::size_t>(scan)].row;
   const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
-                                  [&](const SherdRecord& s) { return s.front == front; });
+                                  [&](const records::SherdRecord& s) { return s.front == front; });
   return sherd == sherds_.end() ? nullptr : &*sherd;
 }
 
-const SherdRecord* PlateSherds::at(const Eigen::Vector2d& place_mm) const {
+const records::SherdRecord* PlateSherds::at(const Eigen::Vector2d& place_mm) const {
   return ofScan(scanAt(place_mm));
 }
 
-const PhotographedAgain* PlateSherds::again(const Eigen::Vector2d& place_mm) const {
+const catalogue::PhotographedAgain* PlateSherds::again(const Eigen::Vector2d& place_mm) const {
   const int scan = scanAt(place_mm);
   if (scan < 0) return nullptr;
-  const auto found = std::find_if(again_.begin(), again_.end(), [&](const PhotographedAgain& one) {
-    return one.front == fronts_[static_cast<std::size_t>(scan)].row;
-  });
+  const auto found =
+      std::find_if(again_.begin(), again_.end(), [&](const catalogue::PhotographedAgain& one) {
+        return one.front == fronts_[static_cast<std::size_t>(scan)].row;
+      });
   return found == again_.end() ? nullptr : &*found;
 }
 
-JoinedNumbers PlateSherds::afterJoin(const pipeline::PairDecision& join) const {
-  if (join.kind != pipeline::DecisionKind::Join || join.scans.size() != 2 ||
+JoinedNumbers PlateSherds::afterJoin(const decisions::PairDecision& join) const {
+  if (join.kind != decisions::DecisionKind::Join || join.scans.size() != 2 ||
       join.scans.front().side != batch::Side::Front)
     return {};
   const int first = scanAt(join.scans[0].place_mm), second = scanAt(join.scans[1].place_mm);
   if (first < 0 || second < 0 || first == second) return {};
   // As it will lie there: under the first one's name, at the mean of all points.
-  std::vector<ScanRecord> found = fronts_;
-  ScanRecord& whole = found[static_cast<std::size_t>(first)];
-  const ScanRecord& gone = fronts_[static_cast<std::size_t>(second)];
+  std::vector<records::ScanRecord> found = fronts_;
+  records::ScanRecord& whole = found[static_cast<std::size_t>(first)];
+  const records::ScanRecord& gone = fronts_[static_cast<std::size_t>(second)];
   const double n = whole.points.value_or(1), m = gone.points.value_or(1);
   if (n + m > 0) {
     whole.plate_x_mm = (n * *whole.plate_x_mm + m * *gone.plate_x_mm) / (n + m);
@@ -69,10 +70,10 @@ JoinedNumbers PlateSherds::afterJoin(const pipeline::PairDecision& join) const {
   const std::vector<int> same = samePieces(fronts_, found, {join});
   const bool second_stays = same[static_cast<std::size_t>(first)] < 0;
   const auto numberOf = [this](int scan) {
-    const SherdRecord* sherd = ofScan(scan);
+    const records::SherdRecord* sherd = ofScan(scan);
     return sherd == nullptr ? std::string() : sherd->number;
   };
   return {numberOf(second_stays ? second : first), numberOf(second_stays ? first : second)};
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

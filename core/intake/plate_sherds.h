@@ -8,7 +8,7 @@
 #include "decisions/decisions.h"
 #include "records/sherd.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
 /// What becomes of the numbers of two sherds whose fronts are joined; empty: it had none.
 struct JoinedNumbers {
@@ -21,26 +21,26 @@ struct JoinedNumbers {
 class PlateSherds {
  public:
   /// None where the catalogue does not know the batch.
-  PlateSherds(const Catalogue& catalogue, const std::string& batch_number);
+  PlateSherds(const catalogue::Catalogue& catalogue, const std::string& batch_number);
 
   /// Whose front lies there; null: no sherd's. Valid as long as this.
-  const SherdRecord* at(const Eigen::Vector2d& place_mm) const;
+  const records::SherdRecord* at(const Eigen::Vector2d& place_mm) const;
 
   /// As what the piece that lies there was photographed again since; null: it was not.
-  const PhotographedAgain* again(const Eigen::Vector2d& place_mm) const;
+  const catalogue::PhotographedAgain* again(const Eigen::Vector2d& place_mm) const;
 
   /// When the batch is computed with this Join of two fronts. Of a piece that no sherd has the
   /// number is empty; both are for a join of backs.
-  JoinedNumbers afterJoin(const pipeline::PairDecision& join) const;
+  JoinedNumbers afterJoin(const decisions::PairDecision& join) const;
 
  private:
   int scanAt(const Eigen::Vector2d& place_mm) const;
-  const SherdRecord* ofScan(int scan) const;
+  const records::SherdRecord* ofScan(int scan) const;
 
-  std::vector<ScanRecord> fronts_;  ///< those with a place
-  std::vector<pipeline::ScanRef> places_;
-  std::vector<SherdRecord> sherds_;
-  std::vector<PhotographedAgain> again_;
+  std::vector<records::ScanRecord> fronts_;  ///< those with a place
+  std::vector<decisions::ScanRef> places_;
+  std::vector<records::SherdRecord> sherds_;
+  std::vector<catalogue::PhotographedAgain> again_;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

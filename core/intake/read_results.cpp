@@ -14,7 +14,7 @@
 #include "files/json_numbers.h"
 #include "store/values.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -24,8 +24,8 @@ std::string relativeTo(const fs::path& project, const fs::path& file) {
                                .lexically_normal()
                                .lexically_relative(fs::absolute(project).lexically_normal())
                                .generic_string();
-  const Result<std::string> path = checkedPath(text);
-  if (!path) refuse("This file is outside the project's folder.", file.string());
+  const Result<std::string> path = store::checkedPath(text);
+  if (!path) store::refuse("This file is outside the project's folder.", file.string());
   return *path;
 }
 
@@ -50,7 +50,7 @@ std::optional<double> numberIn(const json& object, const char* key) {
 
 class Reading {
  public:
-  Reading(const fs::path& project, const BatchRecord& batch, const fs::path& out,
+  Reading(const fs::path& project, const records::BatchRecord& batch, const fs::path& out,
           Progress& progress, std::stop_token stop)
       : project_(project),
         batch_(batch.row),
@@ -60,8 +60,8 @@ class Reading {
         stop_(std::move(stop)) {}
 
   ReadResults all() {
-    const json pairs = valueOrThrow(readJson(out_ / "pairs.json"));
-    const json report = valueOrThrow(readJson(out_ / "report.json"));
+    const json pairs = catalogue::valueOrThrow(readJson(out_ / "pairs.json"));
+    const json report = catalogue::valueOrThrow(readJson(out_ / "report.json"));
     try {
       // Two scans and three files of the model a pair, and the reports: about that many files.
       total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
@@ -81,7 +81,8 @@ class Reading {
                                      "This is a draft from reduced photographs; reprocess the "
                                      "batch for final measurements.");
     } catch (const json::exception&) {
-      refuse("These results of 'ostraka process' are incomplete; run it again.", out_.string());
+      store::refuse("These results of 'ostraka process' are incomplete; run it again.",
+                    out_.string());
     }
     for (const char* name : {"report.json", "report.html", "pairs.json"})
       file(out_ / name, "report", {}, {});
@@ -104,10 +105,11 @@ class Reading {
     for (const json& p : pairs.at("pairs")) {
       // A person's word counts by its own row, and ends where it is taken back.
       if (p.contains("decided")) continue;
-      PairDecision d;
+      records::PairDecision d;
       d.batch = batch_;
       const auto& pose = p.at("T_front_from_back");
-      d.front_from_back = valueOrThrow(isometryFromJson(pose, (out_ / "pairs.json").string()));
+      d.front_from_back =
+          catalogue::valueOrThrow(isometryFromJson(pose, (out_ / "pairs.json").string()));
       d.score = numberIn(p, "score");
       d.margin = numberIn(p, "margin");
       d.fracture_rms_mm = numberIn(p, "fracture_rms_mm");
@@ -126,7 +128,7 @@ class Reading {
     std::vector<fs::path> files;
     std::error_code code;
     if (fs::exists(table, code)) {
-      const json candidates = valueOrThrow(readJson(table));
+      const json candidates = catalogue::valueOrThrow(readJson(table));
       for (const json& scan : candidates.at(side + "s")) {
         files.push_back(work / scan.at("file").get<std::string>());
         photographs_[side] = scan.value("photographs", "");
@@ -142,13 +144,13 @@ class Reading {
   void scansOf(const std::string& side) {
     for (const fs::path& path : scanFiles(side)) {
       stopIfAsked();
-      ScanRecord scan;
+      records::ScanRecord scan;
       scan.batch = batch_;
       scan.side = side == "front" ? batch::Side::Front : batch::Side::Back;
       scan.name = path.stem().string();
       scan.index = std::atoi(scan.name.c_str() + 1);
       scan.path = relativeTo(project_, path);
-      const PointCloud cloud = valueOrThrow(readPlyCloud(path));
+      const PointCloud cloud = catalogue::valueOrThrow(readPlyCloud(path));
       scan.points = static_cast<int>(cloud.size());
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
@@ -160,8 +162,8 @@ class Reading {
   }
 
   void edits() {
-    for (pipeline::PairDecision& d : valueOrThrow(pipeline::readDecisions(out_))) {
-      if (d.kind != pipeline::DecisionKind::Join && d.kind != pipeline::DecisionKind::Split)
+    for (decisions::PairDecision& d : catalogue::valueOrThrow(decisions::readDecisions(out_))) {
+      if (d.kind != decisions::DecisionKind::Join && d.kind != decisions::DecisionKind::Split)
         continue;
       const std::string& seen = d.scans.front().photographs;
       const std::string& now = photographs_[batch::name(d.scans.front().side)];
@@ -177,8 +179,10 @@ class Reading {
     if (figures.value("model", false)) {
       stopIfAsked();
       const fs::path made =
-          out_ / "sherds" / valueOrThrow(checkedPath(s.at("number").get<std::string>()));
-      sherd.folder = valueOrThrow(keepModel(project_, batch_number_, made)) + "/";
+          out_ / "sherds" /
+          catalogue::valueOrThrow(store::checkedPath(s.at("number").get<std::string>()));
+      sherd.folder =
+          catalogue::valueOrThrow(catalogue::keepModel(project_, batch_number_, made)) + "/";
       sherd.model_path = sherd.folder + "model.ply";
       sherd.preview_path = sherd.folder + "preview.png";
       const fs::path folder = project_ / sherd.folder;
@@ -187,7 +191,7 @@ class Reading {
       file(folder / "preview.png", "preview", sherd.front, sherd.back);
       if (has_scale) {  // without a scale no length is known
         for (const auto& [name, value] : figures.at("measures").items()) {
-          const SherdColumn* column = sherdColumn(name);
+          const catalogue::SherdColumn* column = catalogue::sherdColumn(name);
           if (column && column->measure && value.is_number() && value.get<double>() > 0)
             sherd.measures[column->measure] = value.get<double>();
         }
@@ -202,7 +206,7 @@ class Reading {
     stopIfAsked();
     std::error_code code;
     if (!fs::is_regular_file(path, code)) return {};
-    const std::string bytes = valueOrThrow(readFile(path));
+    const std::string bytes = catalogue::valueOrThrow(readFile(path));
     ReadFile read;
     read.record.path = relativeTo(project_, path);
     read.record.sha256 = sha256(bytes);
@@ -219,11 +223,11 @@ class Reading {
   }
 
   void stopIfAsked() const {
-    if (stop_.stop_requested()) throw Refused(Error::cancelled());
+    if (stop_.stop_requested()) throw store::Refused(Error::cancelled());
   }
 
   const fs::path& project_;
-  BatchRow batch_;
+  store::BatchRow batch_;
   std::string batch_number_;
   const fs::path& out_;
   Progress& progress_;
@@ -235,9 +239,9 @@ class Reading {
 
 }  // namespace
 
-ReadResults readResults(const fs::path& project, const BatchRecord& batch, const fs::path& out,
-                        Progress& progress, std::stop_token stop) {
+ReadResults readResults(const fs::path& project, const records::BatchRecord& batch,
+                        const fs::path& out, Progress& progress, std::stop_token stop) {
   return Reading(project, batch, out, progress, std::move(stop)).all();
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

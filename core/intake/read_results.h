@@ -12,10 +12,10 @@
 #include "records/records.h"
 #include "records/sherd.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
 struct ReadFile {
-  FileRecord record;
+  records::FileRecord record;
   std::string sherd_front;  ///< the scan that its sherd is known by; empty: of the batch
   std::string sherd_back;
 };
@@ -24,9 +24,9 @@ struct ReadSherd {
   std::map<std::string, double> measures;
 };
 struct ReadResults {
-  std::vector<ScanRecord> scans;
-  pipeline::Decisions edits;  ///< joins and cuts of these photographs, also those taken back
-  std::vector<PairDecision> pairs;
+  std::vector<records::ScanRecord> scans;
+  decisions::Decisions edits;  ///< joins and cuts of these photographs, also those taken back
+  std::vector<records::PairDecision> pairs;
   std::vector<std::pair<std::string, std::string>> pair_names;
   std::vector<ReadSherd> sherds;
   std::vector<ReadFile> files;
@@ -36,11 +36,11 @@ struct ReadResults {
 
 /// What a whole OUT of `ostraka process` holds for the catalogue. Everything is read and hashed
 /// before the transaction begins, which must be short; models are kept (keepModel). Throws Refused.
-ReadResults readResults(const std::filesystem::path& project, const BatchRecord& batch,
+ReadResults readResults(const std::filesystem::path& project, const records::BatchRecord& batch,
                         const std::filesystem::path& out, Progress& progress, std::stop_token stop);
 
 /// Relative to the project with '/', as records hold it; throws Refused outside it.
 std::string relativeTo(const std::filesystem::path& project, const std::filesystem::path& file);
 std::string mediaTypeOf(const std::filesystem::path& file);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -15,11 +15,11 @@
 #include "store/database.h"
 #include "upkeep/project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
-using pipeline::DecisionKind;
+using decisions::DecisionKind;
 
 // Rows that stand for a decision say its number in the file, so that a withdrawal finds them, and
 // its moment: a file on another computer, or one begun anew, counts from 1 as well.
@@ -27,7 +27,7 @@ std::string markOf(int number, const std::string& at) {
   return "decision " + std::to_string(number) + (at.empty() ? "" : " of " + at);
 }
 
-std::string marked(const pipeline::PairDecision& d) {
+std::string marked(const decisions::PairDecision& d) {
   return markOf(d.number, d.at) + (d.note.empty() ? "" : ": " + d.note);
 }
 
@@ -72,8 +72,9 @@ Row takenBack(const Row& earlier, const std::string& note) {
   return back;
 }
 
-Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::PairDecision& decision,
-                      const Provenance& provenance) {
+Result<void> withdraw(catalogue::Catalogue& catalogue, store::BatchRow batch,
+                      const decisions::PairDecision& decision,
+                      const records::Provenance& provenance) {
   const auto all = catalogue.decisions(batch);
   if (!all) return all.error();
   const auto pieces = pieceDecisions(catalogue, batch);
@@ -82,7 +83,7 @@ Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::Pair
     const int number = decision.replaces[i];
     const std::string at =
         i < decision.replaced_at.size() ? decision.replaced_at[i] : std::string();
-    for (const PairDecision& row : rowsOf(*all, number, at))
+    for (const records::PairDecision& row : rowsOf(*all, number, at))
       if (const auto done = catalogue.decide(takenBack(row, marked(decision)), provenance); !done)
         return done.error();
     for (const PieceDecision& row : rowsOf(*pieces, number, at))
@@ -94,34 +95,35 @@ Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::Pair
 }
 
 // By its place, as the results are; by its name where no place is known.
-const ScanRecord* scanOf(const std::vector<ScanRecord>& scans, const pipeline::ScanRef& ref) {
-  std::vector<const ScanRecord*> there;
-  std::vector<pipeline::ScanRef> places;
-  for (const ScanRecord& scan : scans) {
+const records::ScanRecord* scanOf(const std::vector<records::ScanRecord>& scans,
+                                  const decisions::ScanRef& ref) {
+  std::vector<const records::ScanRecord*> there;
+  std::vector<decisions::ScanRef> places;
+  for (const records::ScanRecord& scan : scans) {
     if (!scan.isThere() || !scan.plate_x_mm || !scan.plate_y_mm) continue;
     there.push_back(&scan);
     places.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
   }
   if (const int nearest = resolved(ref, places); nearest >= 0)
     return there[static_cast<std::size_t>(nearest)];
-  const auto named = std::find_if(scans.begin(), scans.end(), [&](const ScanRecord& s) {
+  const auto named = std::find_if(scans.begin(), scans.end(), [&](const records::ScanRecord& s) {
     return s.side == ref.side && s.name == ref.id && !(s.plate_x_mm && s.plate_y_mm);
   });
   return named == scans.end() ? nullptr : &*named;
 }
 
 // What the program calls the results: none where an earlier one left no such table.
-using Table = std::optional<pipeline::CandidateTable>;
+using Table = std::optional<decisions::CandidateTable>;
 
 Result<Table> tableOf(const fs::path& output) {
-  Result<pipeline::CandidateTable> read = pipeline::readCandidatesOf(output);
+  Result<decisions::CandidateTable> read = decisions::readCandidatesOf(output);
   if (read) return Table(std::move(*read));
   return read.error().code == ErrorCode::Missing ? Result<Table>(Table()) : read.error();
 }
 
 // The scan that is meant in these results, as the chain understood it.
-const ScanRecord* scanIn(const Table& table, const std::vector<ScanRecord>& scans,
-                         const pipeline::ScanRef& ref) {
+const records::ScanRecord* scanIn(const Table& table, const std::vector<records::ScanRecord>& scans,
+                                  const decisions::ScanRef& ref) {
   if (!table) return scanOf(scans, ref);
   const auto& side = ref.side == batch::Side::Front ? table->fronts : table->backs;
   const int index = resolved(ref, side);
@@ -129,18 +131,20 @@ const ScanRecord* scanIn(const Table& table, const std::vector<ScanRecord>& scan
 }
 
 // A pair needs both scans; of several that are set aside each has a row. Empty: no effect.
-std::vector<PairDecision> rowsFor(BatchRow batch, const pipeline::PairDecision& decision,
-                                  const Table& table, const std::vector<ScanRecord>& scans) {
-  std::vector<PairDecision> rows;
-  PairDecision row;
+std::vector<records::PairDecision> rowsFor(store::BatchRow batch,
+                                           const decisions::PairDecision& decision,
+                                           const Table& table,
+                                           const std::vector<records::ScanRecord>& scans) {
+  std::vector<records::PairDecision> rows;
+  records::PairDecision row;
   row.batch = batch;
   row.front_from_back = decision.front_from_back;
   row.note = marked(decision);
-  row.verdict = decision.kind == DecisionKind::Pair    ? Verdict::Accept
-                : decision.kind == DecisionKind::Aside ? Verdict::Aside
-                                                       : Verdict::Reshoot;
-  for (const pipeline::ScanRef& ref : decision.scans) {
-    const ScanRecord* scan = scanIn(table, scans, ref);
+  row.verdict = decision.kind == DecisionKind::Pair    ? records::Verdict::Accept
+                : decision.kind == DecisionKind::Aside ? records::Verdict::Aside
+                                                       : records::Verdict::Reshoot;
+  for (const decisions::ScanRef& ref : decision.scans) {
+    const records::ScanRecord* scan = scanIn(table, scans, ref);
     if (scan == nullptr) continue;
     (ref.side == batch::Side::Front ? row.front : row.back) = scan->row;
     if (decision.kind == DecisionKind::Pair) continue;
@@ -152,28 +156,30 @@ std::vector<PairDecision> rowsFor(BatchRow batch, const pipeline::PairDecision& 
 }
 
 // Pieces are kept by name and place: their scans come and go with each computation.
-Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
-                         const pipeline::PairDecision& decision, const Provenance& provenance) {
+Result<void> enterPieces(catalogue::Catalogue& catalogue, store::BatchRow batch,
+                         const decisions::PairDecision& decision,
+                         const records::Provenance& provenance) {
   PieceDecision row;
   row.batch = batch;
   row.side = decision.scans.empty() ? batch::Side::Front : decision.scans.front().side;
   row.verdict = decision.kind == DecisionKind::Join ? PieceVerdict::Join : PieceVerdict::Cut;
-  for (const pipeline::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
+  for (const decisions::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
   row.cut_mm = decision.cut_mm;
   row.note = marked(decision);
   const auto entered = decidePieces(catalogue, row, provenance);
   return entered ? Result<void>() : Result<void>(entered.error());
 }
 
-bool isOfPieces(const pipeline::PairDecision& d) {
+bool isOfPieces(const decisions::PairDecision& d) {
   return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
 }
 
 // It stands, and has no effect since its side was photographed again.
-bool isOfOtherPhotographs(const pipeline::PairDecision& d, const pipeline::CandidateTable& table) {
+bool isOfOtherPhotographs(const decisions::PairDecision& d,
+                          const decisions::CandidateTable& table) {
   if (d.scans.empty()) return false;
-  const pipeline::ScanRef& ref = d.scans.front();
-  const std::vector<pipeline::ScanRef>& now =
+  const decisions::ScanRef& ref = d.scans.front();
+  const std::vector<decisions::ScanRef>& now =
       ref.side == batch::Side::Front ? table.fronts : table.backs;
   return !now.empty() && !now.front().photographs.empty() && !ref.photographs.empty() &&
          now.front().photographs != ref.photographs;
@@ -182,22 +188,23 @@ bool isOfOtherPhotographs(const pipeline::PairDecision& d, const pipeline::Candi
 // Brings what the catalogue holds of one decisions.json in line with it.
 class Following {
  public:
-  Following(Catalogue& catalogue, BatchRow batch, const pipeline::Decisions& all,
+  Following(catalogue::Catalogue& catalogue, store::BatchRow batch, const decisions::Decisions& all,
             const Table& table)
-      : catalogue_(catalogue), batch_(batch), all_(all), standing_(pipeline::standing(all)) {
-    want(table, valueOrThrow(catalogue.scans(batch)));
+      : catalogue_(catalogue), batch_(batch), all_(all), standing_(decisions::standing(all)) {
+    want(table, catalogue::valueOrThrow(catalogue.scans(batch)));
   }
 
   /// How many were added.
   int rows() {
     pieces();
-    const std::vector<PairDecision> held = valueOrThrow(catalogue_.decisions(batch_));
+    const std::vector<records::PairDecision> held =
+        catalogue::valueOrThrow(catalogue_.decisions(batch_));
     for (const Wanted& wanted : wanted_)
       if (!isAmong(rowsOf(held, wanted.of->number, wanted.of->at), wanted.row))
         count(catalogue_.decide(wanted.row, actOf(*wanted.of)));
-    std::map<DecisionRow, const pipeline::PairDecision*> stale;
-    for (const pipeline::PairDecision& d : all_)
-      for (const PairDecision& row : rowsOf(held, d.number, d.at))
+    std::map<store::DecisionRow, const decisions::PairDecision*> stale;
+    for (const decisions::PairDecision& d : all_)
+      for (const records::PairDecision& row : rowsOf(held, d.number, d.at))
         if (!isWanted(d, row) && isSurelyOf(d, row)) stale[row.row] = &d;
     while (takeBack(stale)) {
     }
@@ -206,48 +213,51 @@ class Following {
 
  private:
   struct Wanted {
-    const pipeline::PairDecision* of;
-    PairDecision row;
+    const decisions::PairDecision* of;
+    records::PairDecision row;
   };
 
   // As the chain does it: of two that are about one scan the later holds.
-  void want(const Table& table, const std::vector<ScanRecord>& scans) {
-    std::set<ScanRow> claimed;
+  void want(const Table& table, const std::vector<records::ScanRecord>& scans) {
+    std::set<store::ScanRow> claimed;
     for (auto d = standing_.rbegin(); d != standing_.rend(); ++d) {
       if (isOfPieces(*d)) continue;
-      const std::vector<PairDecision> rows = rowsFor(batch_, *d, table, scans);
-      const bool free = std::none_of(rows.begin(), rows.end(), [&](const PairDecision& row) {
-        return claimed.contains(row.front) || claimed.contains(row.back);
-      });
-      for (const PairDecision& row : rows)
-        for (const ScanRow scan : {row.front, row.back})
+      const std::vector<records::PairDecision> rows = rowsFor(batch_, *d, table, scans);
+      const bool free =
+          std::none_of(rows.begin(), rows.end(), [&](const records::PairDecision& row) {
+            return claimed.contains(row.front) || claimed.contains(row.back);
+          });
+      for (const records::PairDecision& row : rows)
+        for (const store::ScanRow scan : {row.front, row.back})
           if (scan) claimed.insert(scan);
       for (std::size_t i = rows.size(); free && i-- > 0;) wanted_.push_back({&*d, rows[i]});
     }
     std::reverse(wanted_.begin(), wanted_.end());
   }
 
-  static bool isAmong(const std::vector<PairDecision>& rows, const PairDecision& row) {
-    return std::any_of(rows.begin(), rows.end(), [&](const PairDecision& other) {
+  static bool isAmong(const std::vector<records::PairDecision>& rows,
+                      const records::PairDecision& row) {
+    return std::any_of(rows.begin(), rows.end(), [&](const records::PairDecision& other) {
       return other.verdict == row.verdict && other.front == row.front && other.back == row.back;
     });
   }
-  bool isWanted(const pipeline::PairDecision& d, const PairDecision& row) const {
+  bool isWanted(const decisions::PairDecision& d, const records::PairDecision& row) const {
     return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& wanted) {
       return wanted.of->number == d.number && isAmong({wanted.row}, row);
     });
   }
 
   // What only an earlier program marked may be of another file: of this person it must be.
-  bool isSurelyOf(const pipeline::PairDecision& d, const PairDecision& row) {
+  bool isSurelyOf(const decisions::PairDecision& d, const records::PairDecision& row) {
     return begins(row.note, markOf(d.number, d.at)) || row.by == actOf(d).person;
   }
 
   // Of what holds no more those rows that count; one that a later row is above of does no harm,
   // and counts again where that is taken back. What was below may count then.
-  bool takeBack(std::map<DecisionRow, const pipeline::PairDecision*>& stale) {
+  bool takeBack(std::map<store::DecisionRow, const decisions::PairDecision*>& stale) {
     bool any = false;
-    for (const PairDecision& counts : valueOrThrow(catalogue_.currentDecisions(batch_))) {
+    for (const records::PairDecision& counts :
+         catalogue::valueOrThrow(catalogue_.currentDecisions(batch_))) {
       const auto found = stale.find(counts.row);
       if (found == stale.end()) continue;
       const auto [provenance, note] = endOf(*found->second, counts.by);
@@ -260,13 +270,14 @@ class Following {
 
   // Where the pieces of a join are now is asked by the chain alone.
   void pieces() {
-    const std::vector<PieceDecision> held = valueOrThrow(pieceDecisions(catalogue_, batch_));
-    for (const pipeline::PairDecision& d : all_) {
+    const std::vector<PieceDecision> held =
+        catalogue::valueOrThrow(pieceDecisions(catalogue_, batch_));
+    for (const decisions::PairDecision& d : all_) {
       if (!isOfPieces(d)) continue;
       const std::vector<PieceDecision> rows = rowsOf(held, d.number, d.at);
       const bool holds =
           std::any_of(standing_.begin(), standing_.end(),
-                      [&](const pipeline::PairDecision& s) { return s.number == d.number; });
+                      [&](const decisions::PairDecision& s) { return s.number == d.number; });
       if (holds && rows.empty()) count(enterPieces(catalogue_, batch_, d, actOf(d)));
       if (holds) continue;
       for (const PieceDecision& row : rows) {
@@ -276,11 +287,12 @@ class Following {
     }
   }
 
-  Provenance actOf(const pipeline::PairDecision& d) {
-    return {valueOrThrow(catalogue_.personByInitials(d.by, {})), "window", d.note};
+  records::Provenance actOf(const decisions::PairDecision& d) {
+    return {catalogue::valueOrThrow(catalogue_.personByInitials(d.by, {})), "window", d.note};
   }
   // Who took it back, and the note that says so; nobody did where its scans are gone.
-  std::pair<Provenance, std::string> endOf(const pipeline::PairDecision& d, PersonRow by) {
+  std::pair<records::Provenance, std::string> endOf(const decisions::PairDecision& d,
+                                                    store::PersonRow by) {
     for (auto end = all_.rbegin(); end != all_.rend(); ++end)
       if (end->kind == DecisionKind::Withdraw &&
           std::find(end->replaces.begin(), end->replaces.end(), d.number) != end->replaces.end())
@@ -289,22 +301,22 @@ class Following {
   }
   template <class T>
   void count(const Result<T>& row) {
-    if (!row) throw Refused(row.error());
+    if (!row) throw store::Refused(row.error());
     ++added_;
   }
 
-  Catalogue& catalogue_;
-  BatchRow batch_;
-  const pipeline::Decisions& all_;
-  pipeline::Decisions standing_;
+  catalogue::Catalogue& catalogue_;
+  store::BatchRow batch_;
+  const decisions::Decisions& all_;
+  decisions::Decisions standing_;
   std::vector<Wanted> wanted_;
   int added_ = 0;
 };
 
 }  // namespace
 
-Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
-                           const pipeline::PairDecision& decision, const fs::path& output) {
+Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                           const decisions::PairDecision& decision, const fs::path& output) {
   const bool finds_scans = decision.kind != DecisionKind::Withdraw && !isOfPieces(decision);
   const Result<Table> table = finds_scans ? tableOf(output) : Table();
   if (!table) return table.error();
@@ -313,30 +325,30 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     if (!batch) return batch.error();
     const auto person = catalogue.personByInitials(decision.by, {});
     if (!person) return person.error();
-    const Provenance provenance{*person, "window", decision.note};
+    const records::Provenance provenance{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
       return withdraw(catalogue, batch->row, decision, provenance);
     if (isOfPieces(decision)) return enterPieces(catalogue, batch->row, decision, provenance);
     if (*table)  // of earlier photographs, or about a piece that is gone
-      if (const auto meant = pipeline::settledBy({decision}, **table); !meant.warnings.empty())
+      if (const auto meant = decisions::settledBy({decision}, **table); !meant.warnings.empty())
         return Error{ErrorCode::Missing, meant.warnings.front(), batch_number};
     const auto scans = catalogue.scans(batch->row);
     if (!scans) return scans.error();
-    for (const pipeline::ScanRef& ref : decision.scans)
+    for (const decisions::ScanRef& ref : decision.scans)
       if (scanIn(*table, *scans, ref) == nullptr)
         return Error{ErrorCode::Missing,
                      "The decision is saved with the batch, but " + ref.id +
                          " is not in the catalogue yet; it is added with the next results.",
                      batch_number};
-    for (const PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
+    for (const records::PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
       if (const auto entered = catalogue.decide(row, provenance); !entered) return entered.error();
     return {};
   });
 }
 
-Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
+Result<int> followDecisions(catalogue::Catalogue& catalogue, const std::string& batch_number,
                             const fs::path& output) {
-  const Result<pipeline::Decisions> all = pipeline::readDecisions(output);
+  const Result<decisions::Decisions> all = decisions::readDecisions(output);
   if (!all) return all.error();
   const Result<Table> table = tableOf(output);
   if (!table) return table.error();
@@ -348,76 +360,82 @@ Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_numbe
 
 Result<int> catchUp(const fs::path& project, const std::string& batch_number,
                     const fs::path& output) {
-  if (!pipeline::computedToItsEnd(output)) return 0;
-  Result<Catalogue> catalogue = Project::connect(project);
+  if (!review::computedToItsEnd(output)) return 0;
+  Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
-  const Result<BatchRecord> batch = catalogue->batchByNumber(batch_number);
+  const Result<records::BatchRecord> batch = catalogue->batchByNumber(batch_number);
   if (!batch) return 0;  // nothing of it is entered
-  const bool computed = batch->state == BatchState::Review || batch->state == BatchState::Done;
+  const bool computed =
+      batch->state == records::BatchState::Review || batch->state == records::BatchState::Done;
   if (!computed) return 0;  // what computes it enters them with its results
   return followDecisions(*catalogue, batch_number, output);
 }
 
-Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
+Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do) {
   // In one step: the queue may take the batch meanwhile.
   return catalogue.database().inTransaction([&] {
-    const BatchRecord batch = valueOrThrow(catalogue.batchByNumber(batch_number));
-    if (batch.state != BatchState::Review && batch.state != BatchState::Done) return;
-    const BatchState state =
-        nothing_to_do && batch.scale_doubts.empty() ? BatchState::Done : BatchState::Review;
+    const records::BatchRecord batch =
+        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
+    if (batch.state != records::BatchState::Review && batch.state != records::BatchState::Done)
+      return;
+    const records::BatchState state = nothing_to_do && batch.scale_doubts.empty()
+                                          ? records::BatchState::Done
+                                          : records::BatchState::Review;
     if (state == batch.state) return;
-    Provenance provenance{{}, "window", {}};
-    if (!person.empty()) provenance.person = valueOrThrow(catalogue.personByInitials(person, {}));
-    valueOrThrow(catalogue.setBatchState(batch.row, state, provenance));
+    records::Provenance provenance{{}, "window", {}};
+    if (!person.empty())
+      provenance.person = catalogue::valueOrThrow(catalogue.personByInitials(person, {}));
+    catalogue::valueOrThrow(catalogue.setBatchState(batch.row, state, provenance));
   });
 }
 
 Result<void> settleByResults(const fs::path& project, const std::string& batch_number,
                              const std::string& person) {
-  Result<Catalogue> catalogue = Project::connect(project);
+  Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
   const fs::path output = project / "results" / batch_number;
-  const Result<pipeline::Review> review = pipeline::loadReview(output);
+  const Result<review::Review> review = review::loadReview(output);
   if (!review) return review.error();
   return settleBatch(*catalogue, batch_number, person,
-                     review->waiting() == 0 && !pipeline::wantsComputing(output));
+                     review->waiting() == 0 && !review::wantsComputing(output));
 }
 
-Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow batch,
-                                          const fs::path& output) {
-  const auto all = pipeline::readDecisions(output);
+Result<std::set<store::ScanRow>> piecesTakenBack(const catalogue::Catalogue& catalogue,
+                                                 store::BatchRow batch, const fs::path& output) {
+  const auto all = decisions::readDecisions(output);
   if (!all) return all.error();
   const auto scans = catalogue.scans(batch);
   if (!scans) return scans.error();
-  const pipeline::Decisions hold = pipeline::standing(*all);
-  std::set<ScanRow> pieces;
-  pipeline::Decisions computed_with = pipeline::followed(*all, output);
-  if (const Result<pipeline::CandidateTable> table = pipeline::readCandidatesOf(output))
+  const decisions::Decisions hold = decisions::standing(*all);
+  std::set<store::ScanRow> pieces;
+  decisions::Decisions computed_with = decisions::followed(*all, output);
+  if (const Result<decisions::CandidateTable> table = decisions::readCandidatesOf(output))
     std::erase_if(computed_with, [&](const auto& d) { return isOfOtherPhotographs(d, *table); });
-  for (const pipeline::PairDecision& d : computed_with)
-    if (isOfPieces(d) && !d.scans.empty() && !pipeline::containedIn(hold, d))
-      for (const ScanRow scan : madeBy(d, computed_with, *scans)) pieces.insert(scan);
+  for (const decisions::PairDecision& d : computed_with)
+    if (isOfPieces(d) && !d.scans.empty() && !decisions::containedIn(hold, d))
+      for (const store::ScanRow scan : madeBy(d, computed_with, *scans)) pieces.insert(scan);
   return pieces;
 }
 
-Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
-                            const Provenance& provenance) {
+Result<void> forgetModelsOf(catalogue::Catalogue& catalogue, store::BatchRow batch,
+                            const std::set<store::ScanRow>& pieces,
+                            const records::Provenance& provenance) {
   if (pieces.empty()) return {};
   return catalogue.together([&]() -> Result<void> {
     const auto rows = catalogue.sherdRows(batch);
     if (!rows) return rows.error();
     const auto sherds = catalogue.sherds(*rows);
     if (!sherds) return sherds.error();
-    for (const SherdRecord& sherd : *sherds)
+    for (const records::SherdRecord& sherd : *sherds)
       if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
-        forgetModel(catalogue, sherd.row, provenance);
+        catalogue::forgetModel(catalogue, sherd.row, provenance);
     return {};
   });
 }
 
-Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
-                            const pipeline::PairDecision& withdrawal, const fs::path& output) {
+Result<void> forgetPiecesOf(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                            const decisions::PairDecision& withdrawal, const fs::path& output) {
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
   const auto pieces = piecesTakenBack(catalogue, batch->row, output);
@@ -427,4 +445,4 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
   return forgetModelsOf(catalogue, batch->row, *pieces, {*person, "window", withdrawal.note});
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

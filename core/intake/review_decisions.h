@@ -8,15 +8,17 @@
 #include "records/records.h"
 
 namespace ostraka::catalogue {
-
 class Catalogue;
+}  // namespace ostraka::catalogue
+
+namespace ostraka::intake {
 
 /// Enters what a person decided into the catalogue's append-only list, so that the sherds follow.
 /// A decision about several scans becomes a row each; joins and cuts go into the list of pieces.
 /// Errors: Missing when the batch or its scans are not entered yet, and when the decision has no
 /// effect on the results in OUT: it is about earlier photographs, or about a piece that is gone.
-Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
-                           const pipeline::PairDecision& decision,
+Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                           const decisions::PairDecision& decision,
                            const std::filesystem::path& output);
 
 /// What the catalogue holds of OUT/decisions.json follows the file and these results: rows are
@@ -25,7 +27,7 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
 /// back, about a piece that is gone, or about earlier photographs. What the file does not name
 /// stays: persons decide in the catalogue, too, and on other computers. Returns the rows added.
 /// Errors: a file that cannot be read, the batch is not there.
-Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
+Result<int> followDecisions(catalogue::Catalogue& catalogue, const std::string& batch_number,
                             const std::filesystem::path& output);
 
 /// The same for a batch that is opened again: whoever decides writes the file first, and may not
@@ -38,7 +40,7 @@ Result<int> catchUp(const std::filesystem::path& project, const std::string& bat
 /// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
 /// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
 /// as it is.
-Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
+Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do);
 
 /// The same by what OUT of the batch says now: who is asked, what is to be computed. Reads files
@@ -48,14 +50,16 @@ Result<void> settleByResults(const std::filesystem::path& project, const std::st
 
 /// The pieces that were made by joins and cuts which the results of OUT followed, and which hold no
 /// more: they were taken back since, or while it was computed.
-Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow batch,
-                                          const std::filesystem::path& output);
+Result<std::set<store::ScanRow>> piecesTakenBack(const catalogue::Catalogue& catalogue,
+                                                 store::BatchRow batch,
+                                                 const std::filesystem::path& output);
 /// The sherds of these pieces lose the models and measures that were made of them.
-Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
-                            const Provenance& provenance);
+Result<void> forgetModelsOf(catalogue::Catalogue& catalogue, store::BatchRow batch,
+                            const std::set<store::ScanRow>& pieces,
+                            const records::Provenance& provenance);
 /// Both, after a withdrawal. Nothing where what it ended was not computed.
-Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
-                            const pipeline::PairDecision& withdrawal,
+Result<void> forgetPiecesOf(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                            const decisions::PairDecision& withdrawal,
                             const std::filesystem::path& output);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -6,11 +6,11 @@
 
 #include "intake/edited_pieces.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
-using pipeline::DecisionKind;
-using pipeline::kSamePiece_mm;
+using decisions::DecisionKind;
+using decisions::kSamePiece_mm;
 
 struct Candidate {
   double distance_mm;
@@ -19,23 +19,24 @@ struct Candidate {
   auto operator<=>(const Candidate&) const = default;
 };
 
-double between_mm(const ScanRecord& scan, const Eigen::Vector2d& place_mm) {
+double between_mm(const records::ScanRecord& scan, const Eigen::Vector2d& place_mm) {
   return (*placeOf(scan) - place_mm).norm();
 }
 
 class Matching {
  public:
-  Matching(const std::vector<ScanRecord>& known, const std::vector<ScanRecord>& found)
+  Matching(const std::vector<records::ScanRecord>& known,
+           const std::vector<records::ScanRecord>& found)
       : known_(known), found_(found), same_(known.size(), -1), taken_(found.size()) {}
 
-  void cut(const pipeline::PairDecision& split,
-           const std::map<ScanRow, Eigen::Vector2d>& typed_mm) {
-    const pipeline::ScanRef& ref = split.scans.front();
+  void cut(const decisions::PairDecision& split,
+           const std::map<store::ScanRow, Eigen::Vector2d>& typed_mm) {
+    const decisions::ScanRef& ref = split.scans.front();
     const auto before = halvesOf(split, known_), now = halvesOf(split, found_);
     if (now && !before) {
       const int whole = at(known_, ref);
       if (whole < 0) return;
-      const ScanRecord& cut = known_[static_cast<std::size_t>(whole)];
+      const records::ScanRecord& cut = known_[static_cast<std::size_t>(whole)];
       if (!areHalves(found_[now->first], found_[now->second], cut)) return;
       const auto typed = typed_mm.find(cut.row);
       const Eigen::Vector2d to = typed == typed_mm.end() ? *placeOf(cut) : typed->second;
@@ -44,7 +45,7 @@ class Matching {
     } else if (before && !now) {
       const int whole = at(found_, ref);
       if (whole < 0) return;
-      const ScanRecord &one = known_[before->first], &other = known_[before->second];
+      const records::ScanRecord &one = known_[before->first], &other = known_[before->second];
       if (!areHalves(one, other, found_[static_cast<std::size_t>(whole)])) return;
       const bool first = one.row < other.row;
       match(first ? before->first : before->second, static_cast<std::size_t>(whole));
@@ -67,13 +68,13 @@ class Matching {
   }
 
   // Of what is left over: the first part before, and the whole now, or the other way round.
-  void joins(const pipeline::Decisions& edits) {
+  void joins(const decisions::Decisions& edits) {
     std::vector<Candidate> candidates;
-    for (const pipeline::PairDecision& join : edits) {
+    for (const decisions::PairDecision& join : edits) {
       if (join.kind != DecisionKind::Join) continue;
-      const pipeline::ScanRef& first = join.scans.front();
+      const decisions::ScanRef& first = join.scans.front();
       const std::vector<Eigen::Vector2d> parts = joinedPlaces(join, edits);
-      const auto fits = [&](const ScanRecord& part, const ScanRecord& whole) {
+      const auto fits = [&](const records::ScanRecord& part, const records::ScanRecord& whole) {
         return between_mm(part, first.place_mm) < kSamePiece_mm &&
                liesBetween(*placeOf(whole), parts);
       };
@@ -93,14 +94,15 @@ class Matching {
 
  private:
   // Not the piece itself beside a small neighbour that was not there, or is gone.
-  static bool areHalves(const ScanRecord& a, const ScanRecord& b, const ScanRecord& whole) {
+  static bool areHalves(const records::ScanRecord& a, const records::ScanRecord& b,
+                        const records::ScanRecord& whole) {
     if (!a.points || !b.points || !whole.points) return true;
     const int larger = std::max(*a.points, *b.points);
     return std::abs(*whole.points - *a.points - *b.points) < std::abs(*whole.points - larger);
   }
 
   // The piece that is whole there, -1 when it is not.
-  static int at(const std::vector<ScanRecord>& scans, const pipeline::ScanRef& ref) {
+  static int at(const std::vector<records::ScanRecord>& scans, const decisions::ScanRef& ref) {
     int nearest = -1;
     double least_mm = kSamePiece_mm;
     for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -124,22 +126,23 @@ class Matching {
     for (const Candidate& c : candidates) match(c.known, c.found);
   }
 
-  const std::vector<ScanRecord>&known_, &found_;
+  const std::vector<records::ScanRecord>&known_, &found_;
   std::vector<int> same_;
   std::vector<bool> taken_;
 };
 
 }  // namespace
 
-std::vector<int> samePieces(const std::vector<ScanRecord>& known,
-                            const std::vector<ScanRecord>& found, const pipeline::Decisions& edits,
-                            const std::map<ScanRow, Eigen::Vector2d>& typed_mm) {
+std::vector<int> samePieces(const std::vector<records::ScanRecord>& known,
+                            const std::vector<records::ScanRecord>& found,
+                            const decisions::Decisions& edits,
+                            const std::map<store::ScanRow, Eigen::Vector2d>& typed_mm) {
   Matching matching(known, found);
-  for (const pipeline::PairDecision& edit : edits)
+  for (const decisions::PairDecision& edit : edits)
     if (edit.kind == DecisionKind::Split) matching.cut(edit, typed_mm);
   matching.byPlaces();
   matching.joins(edits);
   return matching.same();
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -6,7 +6,7 @@
 #include "decisions/decisions.h"
 #include "records/records.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 
 /// For each piece that the catalogue knows the index of the one that it is now, -1 if it is gone.
 /// A piece is known by its place, the nearest are matched first; without a place by its name.
@@ -15,8 +15,9 @@ namespace ostraka::catalogue {
 /// a join is the same piece as the joined one. A piece that was cut goes on as the half that lies
 /// nearest to `typed_mm`, where the number of its sherd was typed, or else as the larger one; and
 /// what is whole again is the piece that was known first.
-std::vector<int> samePieces(const std::vector<ScanRecord>& known,
-                            const std::vector<ScanRecord>& found, const pipeline::Decisions& edits,
-                            const std::map<ScanRow, Eigen::Vector2d>& typed_mm = {});
+std::vector<int> samePieces(const std::vector<records::ScanRecord>& known,
+                            const std::vector<records::ScanRecord>& found,
+                            const decisions::Decisions& edits,
+                            const std::map<store::ScanRow, Eigen::Vector2d>& typed_mm = {});
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

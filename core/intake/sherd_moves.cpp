@@ -8,18 +8,18 @@
 #include "catalogue/typed_numbers.h"
 #include "store/names.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 class Mover {
  public:
-  explicit Mover(const Catalogue& catalogue) : catalogue_(catalogue) {}
+  explicit Mover(const catalogue::Catalogue& catalogue) : catalogue_(catalogue) {}
 
-  void move(const SherdRecord& sherd, std::span<const FieldChange> wanted) {
+  void move(const records::SherdRecord& sherd, std::span<const records::FieldChange> wanted) {
     move_.changes.insert(move_.changes.end(), wanted.begin(), wanted.end());
-    SherdRecord moved = sherd;
+    records::SherdRecord moved = sherd;
     bool bag_named = false;
-    for (const FieldChange& change : wanted) {
+    for (const records::FieldChange& change : wanted) {
       if (change.field == "site") moved.site = change.value;
       if (change.field == "trench") moved.trench = change.value;
       if (change.field == "context") moved.context_number = change.value;
@@ -27,8 +27,8 @@ class Mover {
       bag_named |= change.field == "bag";
     }
     moved.context = contextOf(moved);
-    const bool refused = !moved.context && (!trimmed(moved.context_number).empty() ||
-                                            sherd.state == SherdState::Numbered);
+    const bool refused = !moved.context && (!store::trimmed(moved.context_number).empty() ||
+                                            sherd.state == records::SherdState::Numbered);
     if (refused || moved.context == sherd.context) return;
     if (!bag_named && !sherd.bag_number.empty()) {
       moved.bag_number.clear();
@@ -42,15 +42,17 @@ class Mover {
 
  private:
   // With its codes as the catalogue writes them; none: there is no such context.
-  ContextRow contextOf(SherdRecord& place) {
-    const std::string context = trimmed(place.context_number);
+  store::ContextRow contextOf(records::SherdRecord& place) {
+    const std::string context = store::trimmed(place.context_number);
     if (context.empty()) return {};
     const auto key = std::array{place.site, place.trench, context};
     auto known = contexts_.find(key);
     if (known == contexts_.end()) {
-      const ContextRow row =
-          valueOrThrow(catalogue_.contextByPlace(trimmed(key[0]), trimmed(key[1]), context));
-      known = contexts_.emplace(key, row ? valueOrThrow(catalogue_.context(row)) : ContextRecord())
+      const store::ContextRow row = catalogue::valueOrThrow(
+          catalogue_.contextByPlace(store::trimmed(key[0]), store::trimmed(key[1]), context));
+      known = contexts_
+                  .emplace(key, row ? catalogue::valueOrThrow(catalogue_.context(row))
+                                    : records::ContextRecord())
                   .first;
     }
     place.site = known->second.site_code;
@@ -60,28 +62,29 @@ class Mover {
   }
 
   // The number names the place where the sherd was, not the one where it comes.
-  bool namesOnly(const SherdRecord& sherd, const SherdRecord& moved) const {
+  bool namesOnly(const records::SherdRecord& sherd, const records::SherdRecord& moved) const {
     if (sherd.number.empty()) return false;
-    const Result<bool> before = fitsThePlace(catalogue_, sherd, sherd.number);
-    const Result<bool> then = fitsThePlace(catalogue_, moved, sherd.number);
+    const Result<bool> before = catalogue::fitsThePlace(catalogue_, sherd, sherd.number);
+    const Result<bool> then = catalogue::fitsThePlace(catalogue_, moved, sherd.number);
     return before && *before && !(then && *then);
   }
 
-  const Catalogue& catalogue_;
-  std::map<std::array<std::string, 3>, ContextRecord> contexts_;
+  const catalogue::Catalogue& catalogue_;
+  std::map<std::array<std::string, 3>, records::ContextRecord> contexts_;
   Move move_;
 };
 
 }  // namespace
 
-Result<Move> moveOf(const Catalogue& catalogue, std::span<const FieldChange> wanted) {
+Result<Move> moveOf(const catalogue::Catalogue& catalogue,
+                    std::span<const records::FieldChange> wanted) {
   return catalogue.database().door([&] {
-    std::vector<SherdRow> rows;
-    for (const FieldChange& change : wanted)
+    std::vector<store::SherdRow> rows;
+    for (const records::FieldChange& change : wanted)
       if (rows.empty() || rows.back() != change.sherd) rows.push_back(change.sherd);
     Mover mover(catalogue);
     std::size_t begin = 0;
-    for (const SherdRecord& sherd : valueOrThrow(catalogue.sherds(rows))) {
+    for (const records::SherdRecord& sherd : catalogue::valueOrThrow(catalogue.sherds(rows))) {
       std::size_t end = begin;
       while (end < wanted.size() && wanted[end].sherd == sherd.row) ++end;
       mover.move(sherd, wanted.subspan(begin, end - begin));
@@ -91,4 +94,4 @@ Result<Move> moveOf(const Catalogue& catalogue, std::span<const FieldChange> wan
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -77,7 +77,7 @@ cv::Mat1b shownBy(const PointCloud& cloud, std::span<const float> heights,
   if (gaps == Gaps::Left) {
     // Windows of stereo reach over an outline, those of two sherds over the gap between them: they
     // meet within it, the one before the other.
-    raised.setTo(0, jumps(depth, millimetresPerPixel(image)));
+    raised.setTo(0, jumps(depth, ground::millimetresPerPixel(image)));
     cv::erode(raised, raised, disc(kEdge));
     shown.setTo(kNothingShown, (shown == kRaisedShown) & ~raised);
     return shown;

@@ -22,7 +22,7 @@ constexpr double kShadows = 0.3;  // of the plate close to a sherd that lies in 
 struct LogTable {
   std::array<float, 256> values{};
   LogTable() {
-    for (int i = 0; i < 256; ++i) values[i] = std::log(static_cast<float>(i) + kDarkLevel);
+    for (int i = 0; i < 256; ++i) values[i] = std::log(static_cast<float>(i) + ground::kDarkLevel);
   }
   cv::Vec3f operator()(const cv::Vec3b& v) const {
     return {values[v[0]], values[v[1]], values[v[2]]};

@@ -87,33 +87,34 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
               *bare = row.bare.data(), *edges = row.edge.data();
   const float var_noise = noise.brightness * noise.brightness;
   const float var_colour = noise.colour * noise.colour;
-  const float level = noise.level + kDarkLevel, log_six = logOf(6.F);
+  const float level = noise.level + ground::kDarkLevel, log_six = ground::logOf(6.F);
   const float per_texture = 1 / noise.texture, per_noise = 1 / var_noise;
   for (int x = 0; x < count; ++x) {
     const float g = brightness[x], c2 = colour2[x], edge = edges[x];
     const float down = std::min(g, 0.F);
     // Encoded values stabilise shot noise: it is about the same number of levels everywhere, so
     // in the logarithm it grows in shadows as the inverse of the brightness.
-    const float darker = level * expOf(-bare[x] - down);
+    const float darker = level * ground::expOf(-bare[x] - down);
     const float gain = std::max(0.25F, darker * darker);
     const float var_c = var_colour * gain + 0.1F * edge * edge +
                         0.0016F * g * g;  // lamps' colours differ by some 4 %
     const float var_g = var_noise * gain + 0.0004F + edge * edge;
     const float chi_c = c2 / var_c;
     const float colour_density =
-        (0.95F * expOf(-0.5F * chi_c) + 0.05F / 9 * expOf(-0.5F * chi_c / 9)) / (kTwoPi * var_c);
-    const float lit = expOf(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
-    const float bounce = expOf(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
+        (0.95F * ground::expOf(-0.5F * chi_c) + 0.05F / 9 * ground::expOf(-0.5F * chi_c / 9)) /
+        (kTwoPi * var_c);
+    const float lit = ground::expOf(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
+    const float bounce = ground::expOf(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
     const float shadow = ((g < 0) & (g > -3)) ? 1 / 3.F : 0.F;
     // In a shadow the sherds' own light counts: beside them some tenth of the lamps' light comes
     // off their clay, with its colour. On what is left of exp(g) that tints by up to
     // 0.12 (exp(-g) - 1).
-    const float tint = 0.12F * (expOf(-down) - 1);
+    const float tint = 0.12F * (ground::expOf(-down) - 1);
     const float var_t = var_c + tint * tint;
-    const float tinted = expOf(-0.5F * c2 / var_t) / (kTwoPi * var_t);
+    const float tinted = ground::expOf(-0.5F * c2 / var_t) / (kTwoPi * var_t);
     const float plate_density =
         colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
-    float odds = logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
+    float odds = ground::logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
     // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
     // ratio of two variances over the window's sixteen independent samples). Smooth clay leaves
     // none, so a lack of texture says nothing.
@@ -128,7 +129,7 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
     odds = std::min(std::max(odds, -8.F), 8.F);
     log_odds[x] = odds;
     const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
-    const float open = expOf(-0.5F * chi * chi);
+    const float open = ground::expOf(-0.5F * chi * chi);
     clear[x] = odds < -2 ? open : 0.F;
   }
 }
@@ -164,9 +165,9 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
   ResidualNoise noise;
   if (brightness.size() < 500) return noise;
   noise.texture = std::max(medianOf(texture), 1e-8F);
-  noise.level = std::max(2.F, std::exp(medianOf(level)) - kDarkLevel);
+  noise.level = std::max(2.F, std::exp(medianOf(level)) - ground::kDarkLevel);
   // Not below what 8 bits leave: a third of a level after smoothing.
-  const float rounding = 0.3F / (noise.level + kDarkLevel);
+  const float rounding = 0.3F / (noise.level + ground::kDarkLevel);
   noise.brightness = std::max(robustDeviation(brightness), rounding);
   noise.colour = std::max(robustDeviation(colour), rounding);
   if (shade.empty()) return noise;
@@ -174,7 +175,8 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
   for (int y = 0; y < residual.rows; y += 3)
     for (int x = 0; x < residual.cols; x += 3) {
       if (shade(y, x) == 0) continue;
-      const float darker = (noise.level + kDarkLevel) * std::exp(-brightnessOf(plate(y, x)));
+      const float darker =
+          (noise.level + ground::kDarkLevel) * std::exp(-brightnessOf(plate(y, x)));
       excess.push_back(energy(y, x) / (noise.texture * std::max(0.25F, darker * darker)));
     }
   if (excess.size() > 200) noise.shade_texture = std::max(1.F, medianOf(excess));

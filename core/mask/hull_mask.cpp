@@ -40,14 +40,14 @@ class HullMasker {
       progress.report(round, kRounds + 1);
       parallelFor(views_.size(), options_.threads, [&](std::size_t i) { weigh(i); });
       first_ = false;
-      voxels_ = carveHull(space_, views_, hull_, stop);
+      voxels_ = hull::carveHull(space_, views_, hull_, stop);
       if (stop.stop_requested()) return Error::cancelled();
       if (std::none_of(voxels_.begin(), voxels_.end(), [](unsigned char v) { return v != 0; }))
         return Error{ErrorCode::NotEnough,
                      "The photographs show no common object; check the cameras, or provide masks.",
                      {}};
       parallelFor(views_.size(), options_.threads, [&](std::size_t i) {
-        silhouettes_[i] = silhouetteOfHull(space_, voxels_, views_[i], hull_).group;
+        silhouettes_[i] = hull::silhouetteOfHull(space_, voxels_, views_[i], hull_).group;
       });
     }
     MaskResult result;
@@ -70,7 +70,7 @@ class HullMasker {
       cv::resize(photographs_[i], small,
                  {photographs_[i].cols / hull_.reduction, photographs_[i].rows / hull_.reduction},
                  0, 0, cv::INTER_AREA);
-      colours_[i] = logColours(small);
+      colours_[i] = ground::logColours(small);
       views_[i].image = &images_[i];
       silhouettes_[i] = cv::Mat1b(small.size(), uchar{0});
       disc(i, 0.7, silhouettes_[i]);
@@ -144,7 +144,7 @@ class HullMasker {
       for (int x = 0; x < spoken.cols; ++x)
         if (depth(y, x) > 0.5 * deepest) spoken(y, x) = std::max(spoken(y, x), 0.F) + 2;
     cv::resize(spoken, odds, size, 0, 0, cv::INTER_LINEAR);
-    cv::Mat3f colours = logColours(photographs_[i]);
+    cv::Mat3f colours = ground::logColours(photographs_[i]);
     cv::GaussianBlur(colours, colours, {}, 1, 1);
     CutOptions cut_options;
     cut_options.min_area_px = 0.002 * static_cast<double>(size.area());
@@ -155,10 +155,10 @@ class HullMasker {
   std::span<const cv::Mat> photographs_;
   rig::Sight guess_;
   const HullMaskOptions& options_;
-  HullOptions hull_;
-  HullSpace space_;
+  hull::HullOptions hull_;
+  hull::HullSpace space_;
   bool first_ = true;
-  std::vector<HullView> views_;
+  std::vector<hull::HullView> views_;
   std::vector<cv::Mat3f> colours_;
   std::vector<cv::Mat1b> silhouettes_;
   std::vector<cv::Mat1f> odds_ = std::vector<cv::Mat1f>(images_.size());

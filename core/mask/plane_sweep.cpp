@@ -68,7 +68,7 @@ OSTRAKA_CLONED void strengths(const int* sum, const int* squares, int count, flo
                           static_cast<double>(sum[x]) * static_cast<double>(sum[x]);
     const float variance = static_cast<float>(spread) * (1.F / (kCells * kCells));
     const float mean = static_cast<float>(sum[x]) * (1.F / (kCells * kUnit)) + kMiddle;
-    const float noise = kUnit * kNoise * expOf(-mean);
+    const float noise = kUnit * kNoise * ground::expOf(-mean);
     strength[x] = 1 / std::sqrt(variance + noise * noise);
   }
 }
@@ -138,7 +138,7 @@ void PlaneSweep::add(const rig::PosedImage& image, const cv::Mat1f& brightness, 
                  static_cast<int>(std::ceil((bottom - top) / pitch_mm_)) + 1};
   const cv::Size fine(static_cast<int>(std::ceil(shot.ground.width * kFiner)) + 2,
                       static_cast<int>(std::ceil(shot.ground.height * kFiner)) + 2);
-  const cv::Mat2f pixels = pixelsOfCells(image, {left, top}, fine_mm_, fine);
+  const cv::Mat2f pixels = ground::pixelsOfCells(image, {left, top}, fine_mm_, fine);
   cv::Mat1f laid;
   cv::remap(brightness, laid, pixels, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT,
             cv::Scalar::all(kUnseen));

@@ -62,10 +62,10 @@ void weighAgreement(const PlateView& view, std::span<const PlateView> others,
                     const std::function<bool(double, double)>& bare_at, const cv::Mat1b& allowed,
                     cv::Mat1f& log_odds) {
   if (others.empty()) return;
-  PlateGrid millimetres;
+  ground::PlateGrid millimetres;
   millimetres.pitch_mm = 1;
   millimetres.size = 1;
-  const cv::Mat2f plate = gridOfPixels(*view.image, millimetres, view.bend);
+  const cv::Mat2f plate = ground::gridOfPixels(*view.image, millimetres, view.bend);
   for (int y = 0; y < log_odds.rows; ++y)
     for (int x = 0; x < log_odds.cols; ++x) {
       if (allowed(y, x) == 0) continue;

@@ -99,20 +99,22 @@ class PlateMasker {
   }
 
   void weighCamera(int camera, const std::vector<std::size_t>& members, Progress& progress) {
-    const PlateGrid grid = gridOver(plate_, millimetresPerPixel(images_[members[0]]));
-    const cv::Mat1b paper = markerPaper(plate_, grid);
-    std::vector<PlateLook> looks(members.size());
+    const ground::PlateGrid grid =
+        ground::gridOver(plate_, ground::millimetresPerPixel(images_[members[0]]));
+    const cv::Mat1b paper = ground::markerPaper(plate_, grid);
+    std::vector<ground::PlateLook> looks(members.size());
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
       const rig::PosedImage& image = images_[members[k]];
-      looks[k] = {logColours(photographs_[members[k]]), gridOfPixels(image, grid),
-                  pixelsOfGrid(image, grid)};
+      looks[k] = {ground::logColours(photographs_[members[k]]), ground::gridOfPixels(image, grid),
+                  ground::pixelsOfGrid(image, grid)};
     });
     const auto [empty, empty_look] = emptyPlate(camera, members, looks, paper, progress);
-    const PlatePicture picture = buildPlatePicture(looks, empty, empty_look, grid, paper);
+    const ground::PlatePicture picture =
+        ground::buildPlatePicture(looks, empty, empty_look, grid, paper);
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
-      const cv::Mat3f bare = smoothed(predictBare(picture, looks[k], k, grid));
+      const cv::Mat3f bare = smoothed(ground::predictBare(picture, looks[k], k, grid));
       const cv::Mat3f residual = smoothed(looks[k].log_colours) - bare;
-      const cv::Mat1b inside = insideMarkers(looks[k].grid_of_pixel, grid);
+      const cv::Mat1b inside = ground::insideMarkers(looks[k].grid_of_pixel, grid);
       const ResidualNoise noise = measureNoise(residual, bare, inside);
       // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.
       const Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
@@ -127,30 +129,31 @@ class PlateMasker {
 
   // Against the printed sheet. Beyond its edge nothing is known.
   Result<void> weighSheet(const std::stop_token& stop) {
-    double finest = millimetresPerPixel(images_[0]);
+    double finest = ground::millimetresPerPixel(images_[0]);
     for (const rig::PosedImage& image : images_)
-      finest = std::min(finest, millimetresPerPixel(image));
-    const PlateGrid grid = gridOver(plate_, finest);
-    Result<cv::Mat1f> printed = printedSheet(plate_, grid);
+      finest = std::min(finest, ground::millimetresPerPixel(image));
+    const ground::PlateGrid grid = ground::gridOver(plate_, finest);
+    Result<cv::Mat1f> printed = ground::printedSheet(plate_, grid);
     if (!printed) return printed.error();
     std::vector<cv::Mat3b> samples(images_.size());
     parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
-      const cv::Mat2f pixels = pixelsOfGrid(images_[i], grid, options_.bend);
+      const cv::Mat2f pixels = ground::pixelsOfGrid(images_[i], grid, options_.bend);
       cv::remap(photographs_[i], samples[i], pixels, cv::noArray(), cv::INTER_LINEAR,
                 cv::BORDER_CONSTANT, cv::Scalar::all(0));
     });
     if (stop.stop_requested()) return Error::cancelled();
-    const SheetPicture picture = buildSheetPicture(samples, *printed);
+    const ground::SheetPicture picture = ground::buildSheetPicture(samples, *printed);
     still_light_ = picture.still_light;
     samples.clear();
     parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
       cv::Mat1b known;
-      const cv::Mat2f grid_of_pixel = gridOfPixels(images_[i], grid, options_.bend);
-      const cv::Mat3f predicted = predictBareSheet(picture, i, *printed, grid_of_pixel, known);
+      const cv::Mat2f grid_of_pixel = ground::gridOfPixels(images_[i], grid, options_.bend);
+      const cv::Mat3f predicted =
+          ground::predictBareSheet(picture, i, *printed, grid_of_pixel, known);
       const cv::Mat3f bare = smoothed(predicted);
-      cv::Mat3f residual = smoothed(logColours(photographs_[i])) - bare;
+      cv::Mat3f residual = smoothed(ground::logColours(photographs_[i])) - bare;
       residual.setTo(cv::Scalar::all(0), ~known);
       cv::Mat1b shade;
       if (!picture.shade.empty())
@@ -158,7 +161,7 @@ class PlateMasker {
                   cv::BORDER_CONSTANT, cv::Scalar::all(0));
       const ResidualNoise noise = measureNoise(residual, bare, known, shade);
       Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
-      const cv::Mat1f seen_bare = seenBare(picture, residual, grid_of_pixel);
+      const cv::Mat1f seen_bare = ground::seenBare(picture, residual, grid_of_pixel);
       evidence.clear = cv::max(evidence.clear, seen_bare);
       evidence.log_odds -= seen_bare.mul(evidence.log_odds + kBareOdds);
       // Where the pixel beside is unknown the smoothing mixed both.
@@ -223,8 +226,8 @@ class PlateMasker {
   }
 
   std::pair<cv::Mat3f, int> emptyPlate(int camera, const std::vector<std::size_t>& members,
-                                       const std::vector<PlateLook>& looks, const cv::Mat1b& paper,
-                                       Progress& progress) {
+                                       const std::vector<ground::PlateLook>& looks,
+                                       const cv::Mat1b& paper, Progress& progress) {
     if (camera < 0 || camera >= static_cast<int>(empties_.size()) || empties_[camera].empty())
       return {cv::Mat3f(), 0};
     const auto refuse = [&](const std::string& why) {
@@ -240,11 +243,11 @@ class PlateMasker {
       return refuse("differs in size from the camera's other photographs");
     // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
     constexpr double kFits = 0.85;
-    const cv::Mat3f empty = logColours(photograph);
-    RingAgreement best;
+    const cv::Mat3f empty = ground::logColours(photograph);
+    ground::RingAgreement best;
     std::size_t at = 0;
     for (std::size_t k = 0; k < members.size(); ++k) {
-      const RingAgreement agreement = ringAgreement(empty, looks[k], paper);
+      const ground::RingAgreement agreement = ground::ringAgreement(empty, looks[k], paper);
       if (k == 0 || agreement.typical > best.typical) best = agreement, at = k;
     }
     if (best.typical < kFits)
@@ -255,8 +258,8 @@ class PlateMasker {
     return {empty, static_cast<int>(at)};
   }
 
-  HullView reduced(std::size_t index, const Evidence& evidence) const {
-    HullView view;
+  hull::HullView reduced(std::size_t index, const Evidence& evidence) const {
+    hull::HullView view;
     view.image = &images_[index];
     cv::Mat1f inside = evidence.log_odds.clone();
     for (float& odds : inside) odds = odds > 2 ? 1.F : 0.F;
@@ -281,15 +284,15 @@ class PlateMasker {
     space_.low =
         Eigen::Vector3d(-half_x * space_.pitch, -half_y * space_.pitch, 0.5 * space_.pitch);
     hull_.threads = options_.threads;
-    std::vector<HullView> views;
+    std::vector<hull::HullView> views;
     for (const ViewState& view : views_) views.push_back(view.hull);
     int groups = 0;
     for (double height = options_.height_mm; height <= kTallest_mm; height *= 2) {
       space_.count = {2 * half_x + 1, 2 * half_y + 1,
                       static_cast<int>(std::ceil(height / space_.pitch))};
-      voxels_ = carveHull(space_, views, hull_, stop);
-      groups = dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
-      if (unprinted()) dropGroupsAtSides(space_, voxels_);
+      voxels_ = hull::carveHull(space_, views, hull_, stop);
+      groups = hull::dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
+      if (unprinted()) hull::dropGroupsAtSides(space_, voxels_);
       if (!reachesTop()) break;
     }
     return groups > 0;
@@ -298,9 +301,9 @@ class PlateMasker {
   // Where light stands still, shadows last, and the first hull holds them too. What most of the
   // photographs took for shadow by its colour leaves the hull of the masks.
   void carveByMasks(const std::stop_token& stop) {
-    std::vector<HullView> views;
+    std::vector<hull::HullView> views;
     for (std::size_t i = 0; i < views_.size(); ++i) {
-      HullView view{&images_[i], {}, {}};
+      hull::HullView view{&images_[i], {}, {}};
       const cv::Mat1b& mask = result_.masks[i];
       cv::Mat small;
       cv::resize(mask, small, {mask.cols / hull_.reduction, mask.rows / hull_.reduction}, 0, 0,
@@ -311,9 +314,9 @@ class PlateMasker {
       views.push_back(std::move(view));
     }
     hull_.carving_views = std::max(2.0, kCarvingShare * static_cast<double>(views.size()));
-    voxels_ = carveHull(space_, views, hull_, stop);
-    dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
-    if (unprinted()) dropGroupsAtSides(space_, voxels_);
+    voxels_ = hull::carveHull(space_, views, hull_, stop);
+    hull::dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
+    if (unprinted()) hull::dropGroupsAtSides(space_, voxels_);
     masks_known_ = true;
   }
 
@@ -325,10 +328,10 @@ class PlateMasker {
   // Where the hull shows, and a little beyond: it is as coarse as its voxels.
   void showHull(std::size_t index) {
     ViewState& view = views_[index];
-    const Silhouette shown = silhouetteOfHull(space_, voxels_, view.hull, hull_);
+    const hull::Silhouette shown = hull::silhouetteOfHull(space_, voxels_, view.hull, hull_);
     view.group = shown.group, view.depth = shown.depth;
     view.hull.inside.release();
-    if (plate_.sheet) keepTouching(view.plate, view.group);
+    if (plate_.sheet) hull::keepTouching(view.plate, view.group);
     cv::Mat1b silhouette;
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
@@ -349,11 +352,11 @@ class PlateMasker {
 
   // Black clay looks like nothing else but a shadow; what lies deep in the hull is none.
   void trustHull() {
-    std::vector<HullSight> sights;
+    std::vector<hull::HullSight> sights;
     for (const ViewState& view : views_)
       sights.push_back(
           {view.depth / space_.pitch, view.below, view.group, view.hull.clear, view.log_odds});
-    hull_odds_ = learnHullOdds(sights, hull_.reduction);
+    hull_odds_ = hull::learnHullOdds(sights, hull_.reduction);
     parallelFor(views_.size(), options_.threads,
                 [&](std::size_t i) { views_[i].log_odds += hullOddsOf(views_[i]); });
   }
@@ -371,7 +374,7 @@ class PlateMasker {
       for (const std::size_t i : members) {
         const ViewState& view = views_[i];
         shares.push_back(darkenedShare(view.residual, view.group, view.plate, hull_.reduction,
-                                       millimetresPerPixel(images_[i])));
+                                       ground::millimetresPerPixel(images_[i])));
       }
       const double usual = medianOf(std::vector<double>(shares));
       for (std::size_t k = 0; k < members.size(); ++k)
@@ -412,7 +415,7 @@ class PlateMasker {
   void cutView(std::size_t index) {
     ViewState& view = views_[index];
     CutOptions cut_options;
-    const double mm = millimetresPerPixel(images_[index]);
+    const double mm = ground::millimetresPerPixel(images_[index]);
     const double sine = std::abs(images_[index].centre().normalized().z());
     cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
     // Colours spoke twice, by themselves and as learnt; a grey sherd's are a shadow's both times.
@@ -432,7 +435,7 @@ class PlateMasker {
 
   cv::Mat1b cutWithHull(const ViewState& view, const CutOptions& options, double mm) const {
     cv::Mat1b with = cutOutline(view.log_odds, view.allowed, view.residual, options);
-    if (hull_odds_.by == HullOdds().by) return with;
+    if (hull_odds_.by == hull::HullOdds().by) return with;
     const cv::Mat1f odds = view.log_odds - hullOddsOf(view);
     const cv::Mat1b own = cutOutline(odds, view.allowed, view.residual, options);
     return settleStrips(own, with, kStripVoxels * space_.pitch / mm, view.residual, options);
@@ -464,10 +467,10 @@ class PlateMasker {
   std::span<const cv::Mat> empties_;
   const PlateMaskOptions& options_;
   std::vector<ViewState> views_;
-  HullOptions hull_;
-  HullSpace space_;
+  hull::HullOptions hull_;
+  hull::HullSpace space_;
   std::vector<unsigned char> voxels_;
-  HullOdds hull_odds_;
+  hull::HullOdds hull_odds_;
   bool still_light_ = true;   ///< on a sheet; at a stop of a rig it is
   bool masks_known_ = false;  ///< the hull is that of the masks so far
   MaskResult result_;

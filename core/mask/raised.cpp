@@ -24,7 +24,7 @@ cv::Mat1f halfBrightness(const cv::Mat& photograph) {
   cv::Mat half;
   cv::resize(photograph, half, {photograph.cols / 2, photograph.rows / 2}, 0, 0, cv::INTER_AREA);
   cv::Mat1f brightness;
-  cv::transform(logColours(half), brightness, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
+  cv::transform(ground::logColours(half), brightness, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
   return brightness;
 }
 
@@ -86,11 +86,11 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
       odds.emplace_back(photograph->rows / 2, photograph->cols / 2, 0.F);
     return odds;
   }
-  const double pitch = 2 * millimetresPerPixel(*images[0]);
+  const double pitch = 2 * ground::millimetresPerPixel(*images[0]);
   const double step = kSlideCells * pitch / largestSlide(images);
   const int planes = static_cast<int>(std::min(max_height_mm, kHighest) / step);
   // No sherd stands on the ring of markers.
-  PlaneSweep sweep(pitch, gridOver(plate, pitch).ring_inner_mm);
+  PlaneSweep sweep(pitch, ground::gridOver(plate, pitch).ring_inner_mm);
   std::vector<cv::Mat1f> on_plate, above;
   for (std::size_t i = 0; i < images.size(); ++i) {
     sweep.add(halfOf(*images[i]), halfBrightness(*photographs[i]), planes * step);
@@ -99,11 +99,11 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
   }
   for (int plane = 0; plane <= planes; ++plane)
     sweep.agreeOn(plane * step, plane * step < kThinnest + bend_mm ? on_plate : above);
-  PlateGrid millimetres;
+  ground::PlateGrid millimetres;
   millimetres.pitch_mm = 1;
   millimetres.size = 1;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const cv::Mat2f plate_mm = gridOfPixels(halfOf(*images[i]), millimetres);
+    const cv::Mat2f plate_mm = ground::gridOfPixels(halfOf(*images[i]), millimetres);
     odds.push_back(oddsOf(*images[i], sweep.seenFrom(i, on_plate[i], plate_mm),
                           sweep.seenFrom(i, above[i], plate_mm)));
   }

@@ -37,7 +37,7 @@ std::size_t depthStep(float darkness, std::size_t steps) {
 
 float levelAt(const cv::Mat& photograph, int y, int x) {
   const cv::Vec3b& v = photograph.at<cv::Vec3b>(y, x);
-  return std::log(static_cast<float>(v[0] + v[1] + v[2]) / 3 + kDarkLevel);
+  return std::log(static_cast<float>(v[0] + v[1] + v[2]) / 3 + ground::kDarkLevel);
 }
 
 // By the darkest hundredth of what is surely sherd. Breaks lie steeper to the light than faces.

@@ -10,7 +10,7 @@ struct ViewState {
   cv::Mat3f residual;  ///< half the memory would do; 23 MB at 1600 x 1200
   cv::Mat1f log_odds;
   cv::Mat1f height_odds;  ///< half size, see weighHeights
-  HullView hull;
+  hull::HullView hull;
   cv::Mat1b group;    ///< reduced: which group's hull shows
   cv::Mat1f depth;    ///< reduced: mm of hull behind it
   cv::Mat1f below;    ///< reduced: voxels from the floor up to the hull that it shows

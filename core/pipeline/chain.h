@@ -27,7 +27,7 @@ struct Run {
   std::filesystem::path work;  ///< OUT/work
   std::string batch_hash;      ///< names and contents of everything that is read from the batch
   std::array<std::string, 2> photographs;  ///< of fronts and backs: ScanRef::photographs
-  const Decisions& decisions;              ///< of people, those that hold
+  const decisions::Decisions& decisions;   ///< of people, those that hold
   Progress& progress;
   std::stop_token stop;
 
@@ -103,7 +103,7 @@ Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side si
 /// The same from scans that were split already; they are named f001 or b001 on in their order, and
 /// the record says which file each came from.
 Result<Staged<std::vector<scan::Scan>>> importStage(const Run& run, batch::Side side,
-                                                    const ScanFolder& folder);
+                                                    const decisions::ScanFolder& folder);
 /// The folder under OUT/work that holds the scans of a side: scans_front, or pieces_front.
 std::string scanFolder(const Run& run, batch::Side side);
 /// Front size / back size where the poses have no scale, else 1 without a stage.

@@ -16,18 +16,20 @@ namespace fs = std::filesystem;
 
 /// What people painted on a side's photographs, one entry for each image.
 struct SideStrokes {
-  std::vector<std::vector<MaskStroke>> on;
+  std::vector<std::vector<decisions::MaskStroke>> on;
   std::vector<std::string> warnings;  ///< of photographs that were taken again since
 };
 
-SideStrokes sideStrokes(const std::vector<MaskStroke>& strokes,
+SideStrokes sideStrokes(const std::vector<decisions::MaskStroke>& strokes,
                         const std::vector<rig::PosedImage>& images, const fs::path& output) {
   SideStrokes side;
   for (const rig::PosedImage& image : images) {
-    const fs::path file = photographNow(image.file, output);
-    StrokesOn own = strokesOn(strokes, image.side, image.camera, image.stop, {});
+    const fs::path file = batch::photographNow(image.file, output);
+    decisions::StrokesOn own =
+        decisions::strokesOn(strokes, image.side, image.camera, image.stop, {});
     if (own.taken_again)  // only where it is asked for is a photograph read for it
-      own = strokesOn(strokes, image.side, image.camera, image.stop, photographHash(file));
+      own = decisions::strokesOn(strokes, image.side, image.camera, image.stop,
+                                 decisions::photographHash(file));
     if (own.taken_again)
       side.warnings.push_back(file.filename().string() +
                               " was retaken after its mask was edited; the strokes on the earlier "
@@ -38,7 +40,7 @@ SideStrokes sideStrokes(const std::vector<MaskStroke>& strokes,
 }
 
 Result<void> editInto(const fs::path& to, const fs::path& from,
-                      const std::vector<MaskStroke>& strokes) {
+                      const std::vector<decisions::MaskStroke>& strokes) {
   if (strokes.empty()) {
     const Result<std::string> bytes = readFile(from);
     return bytes ? writeFileAtomically(to, *bytes) : Result<void>(bytes.error());
@@ -46,7 +48,7 @@ Result<void> editInto(const fs::path& to, const fs::path& from,
   const Result<cv::Mat> read = batch::readMask(from);
   if (!read) return read.error();
   cv::Mat1b mask = read->clone();
-  for (const MaskStroke& stroke : strokes) paintStroke(mask, stroke);
+  for (const decisions::MaskStroke& stroke : strokes) decisions::paintStroke(mask, stroke);
   std::vector<unsigned char> bytes;
   cv::imencode(".png", mask, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3});
   return writeFileAtomically(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -56,9 +58,10 @@ Result<void> editInto(const fs::path& to, const fs::path& from,
 
 Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
                                        Staged<Masks> found) {
-  Result<std::vector<MaskStroke>> strokes = readMaskStrokes(run.options.output);
+  Result<std::vector<decisions::MaskStroke>> strokes =
+      decisions::readMaskStrokes(run.options.output);
   if (!strokes) return strokes.error();
-  std::erase_if(*strokes, [&](const MaskStroke& s) { return s.side != side; });
+  std::erase_if(*strokes, [&](const decisions::MaskStroke& s) { return s.side != side; });
   if (strokes->empty()) return found;
   const std::vector<rig::PosedImage> images = poses.value.of(side);
   const SideStrokes own = sideStrokes(*strokes, images, run.options.output);

@@ -22,7 +22,7 @@ Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batc
                batch.folder.string()};
 }
 
-double nominalScale(const rig::ColmapPoses& poses) {
+double nominalScale(const colmap::ColmapPoses& poses) {
   std::vector<double> pixels;
   for (const rig::PosedImage& image : poses.images)
     for (const Eigen::Vector3d& point : poses.points) {
@@ -34,16 +34,17 @@ double nominalScale(const rig::ColmapPoses& poses) {
   return middle > 0 ? kNominalPixel_mm / middle : 1;
 }
 
-Result<std::optional<rig::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
-                                                  const rig::ColmapPoses& poses, int threads,
-                                                  std::stop_token stop) {
+Result<std::optional<checks::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
+                                                     const colmap::ColmapPoses& poses, int threads,
+                                                     std::stop_token stop) {
   std::vector<batch::KnownLength> lengths;
   for (const batch::KnownLength& known : batch.known_lengths)
     if (known.side == side) lengths.push_back(known);
-  if (const std::optional<rig::KnownScale> marked = rig::scaleFromLengths(poses.images, lengths))
+  if (const std::optional<checks::KnownScale> marked =
+          checks::scaleFromLengths(poses.images, lengths))
     return marked;
-  if (!batch.board) return std::optional<rig::KnownScale>();
-  std::vector<rig::TargetView> views(poses.images.size());
+  if (!batch.board) return std::optional<checks::KnownScale>();
+  std::vector<calibration::TargetView> views(poses.images.size());
   std::vector<std::optional<Error>> errors(poses.images.size());
   parallelFor(poses.images.size(), threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
@@ -52,7 +53,7 @@ Result<std::optional<rig::KnownScale>> knownScale(const batch::Batch& batch, bat
       errors[i] = photograph.error();
       return;
     }
-    Result<rig::TargetView> view = rig::findBoard(*photograph, *batch.board);
+    Result<calibration::TargetView> view = calibration::findBoard(*photograph, *batch.board);
     if (view)
       views[i] = std::move(*view);
     else
@@ -61,7 +62,7 @@ Result<std::optional<rig::KnownScale>> knownScale(const batch::Batch& batch, bat
   if (stop.stop_requested()) return Error::cancelled();
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
-  return rig::scaleFromBoard(poses.images, views);
+  return checks::scaleFromBoard(poses.images, views);
 }
 
 void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor) {

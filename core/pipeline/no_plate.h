@@ -29,14 +29,14 @@ constexpr double kNominalPixel_mm = 0.2;
 
 /// Factor to that size: the median pixel at the points, over the images that look at them; 1 when
 /// there is none.
-double nominalScale(const rig::ColmapPoses& poses);
+double nominalScale(const colmap::ColmapPoses& poses);
 
 /// mm per unit of one side's poses: from the lengths marked in scale.json, else from the board of
 /// board.json lying on the plate in the photographs. Nothing where neither gives one.
 /// Errors: Cancelled, and those of the photographs.
-Result<std::optional<rig::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
-                                                  const rig::ColmapPoses& poses, int threads,
-                                                  std::stop_token stop);
+Result<std::optional<checks::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
+                                                     const colmap::ColmapPoses& poses, int threads,
+                                                     std::stop_token stop);
 
 /// All lengths of one side's poses times `factor`.
 void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor);

@@ -42,8 +42,8 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
           isometryFromJson(p.at("T_front_from_back"), file.string());
       if (!pose) return pose.error();
       pairs.pairs.push_back(
-          {indexOf(fronts, p.at("front")),
-           indexOf(backs, p.at("back")),
+          {decisions::indexOf(fronts, p.at("front")),
+           decisions::indexOf(backs, p.at("back")),
            p.at("score"),
            p.at("margin"),
            p.at("ambiguous"),
@@ -78,56 +78,58 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
   return pairs;
 }
 
-PairOptions optionsOf(const Run& run) {
-  PairOptions options;
+decisions::PairOptions optionsOf(const Run& run) {
+  decisions::PairOptions options;
   options.threads = run.options.threads;
   options.candidates.threads = run.options.threads;
   options.candidates.method = run.options.pairing;
   // Sherds are turned over beside where they lay on a plate; over a sheet they may come anywhere.
   const bool beside = run.batch.plate && run.batch.way == batch::Way::Rig;
-  options.place = beside ? PlaceEvidence::Weak : PlaceEvidence::None;
+  options.place = beside ? decisions::PlaceEvidence::Weak : decisions::PlaceEvidence::None;
   return options;
 }
 
-Result<void> writePairs(const fs::path& folder, const PairTable& table,
-                        const CandidateTable& candidates) {
+Result<void> writePairs(const fs::path& folder, const decisions::PairTable& table,
+                        const decisions::CandidateTable& candidates) {
   ordered_json pairs = toJson(table, candidates.fronts, candidates.backs);
   if (!candidates.has_scale) pairs["has_scale"] = false;
   return writeJson(folder / "pairs.json", pairs);
 }
 
 // Where the scans lie, and what photographs they come from.
-void nameSources(const Run& run, batch::Side side, std::vector<ScanRef>& scans,
+void nameSources(const Run& run, batch::Side side, std::vector<decisions::ScanRef>& scans,
                  std::vector<std::string>& files) {
-  for (ScanRef& scan : scans) {
+  for (decisions::ScanRef& scan : scans) {
     scan.photographs = run.photographsOf(side);
     files.push_back(scanFolder(run, side) + "/" + scan.id + ".ply");
   }
 }
 
-Decisions aboutPartners(const Decisions& standing) {
-  Decisions kept;
-  for (const PairDecision& d : standing)
-    if (d.kind == DecisionKind::Pair || d.kind == DecisionKind::Aside ||
-        d.kind == DecisionKind::Reshoot)
+decisions::Decisions aboutPartners(const decisions::Decisions& standing) {
+  decisions::Decisions kept;
+  for (const decisions::PairDecision& d : standing)
+    if (d.kind == decisions::DecisionKind::Pair || d.kind == decisions::DecisionKind::Aside ||
+        d.kind == decisions::DecisionKind::Reshoot)
       kept.push_back(d);
   return kept;
 }
 
 // Decided pairs whose pose no candidate has are registered here; the others stay as they are.
-Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decisions& decisions,
+Result<StageNotes> decide(const Run& run, const fs::path& folder,
+                          const decisions::Decisions& decisions,
                           const registration::Constraints& constraints, const Scans& fronts,
                           const Scans& backs) {
-  const Result<CandidateTable> table = readCandidates(run.work / "pairs" / "candidates.json");
+  const Result<decisions::CandidateTable> table =
+      decisions::readCandidates(run.work / "pairs" / "candidates.json");
   if (!table) return table.error();
-  const Settled settled = settledBy(decisions, *table);
-  const PairOptions options = optionsOf(run);
-  Result<PairTable> pairs = assigned(*table, settled, options.assign);
+  const decisions::Settled settled = decisions::settledBy(decisions, *table);
+  const decisions::PairOptions options = optionsOf(run);
+  Result<decisions::PairTable> pairs = decisions::assigned(*table, settled, options.assign);
   if (!pairs) return pairs.error();
   StageNotes notes{{{"pairs", pairs->pairs.size()}, {"decided", settled.pairs.size()}},
                    settled.warnings};
   QuietProgress quiet;  // about a second each, after all others are compared
-  for (SherdPair& pair : pairs->pairs) {
+  for (decisions::SherdPair& pair : pairs->pairs) {
     if (pair.decided == 0 || pair.registration.start >= 0) continue;
     if (run.stop.stop_requested()) return Error::cancelled();
     const auto decision = std::find_if(decisions.begin(), decisions.end(),
@@ -135,7 +137,7 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decision
     const scan::Scan& front = fronts.value[static_cast<std::size_t>(pair.decision.front)];
     const scan::Scan& back = backs.value[static_cast<std::size_t>(pair.decision.back)];
     const Result<registration::Registration> found =
-        registerDecided(*decision, front, back, constraints, options, quiet, run.stop);
+        decisions::registerDecided(*decision, front, back, constraints, options, quiet, run.stop);
     if (!found && found.error().code == ErrorCode::Cancelled) return found.error();
     if (found) {
       pair.registration = *found;
@@ -164,11 +166,12 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     return call(registration::Constraints{front_views, back_views, on_plate, on_plate});
   };
   const auto compare = [&](const fs::path& folder) -> Result<StageNotes> {
-    const PairOptions options = optionsOf(run);
+    const decisions::PairOptions options = optionsOf(run);
     WarningsKept kept(run.progress);  // such as of a scan without an outline
-    Result<CandidateTable> table =
+    Result<decisions::CandidateTable> table =
         withConstraints([&](const registration::Constraints& constraints) {
-          return compareSides(fronts.value, backs.value, constraints, options, kept, run.stop);
+          return decisions::compareSides(fronts.value, backs.value, constraints, options, kept,
+                                         run.stop);
         });
     if (!table) return table.error();
     nameSources(run, batch::Side::Front, table->fronts, table->front_files);
@@ -176,7 +179,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     table->back_scale = back_scale;
     table->has_scale = poses.value.has_scale;
     table->on_plate = run.batch.plate.has_value();
-    const Result<PairTable> pairs = assigned(*table, options.assign);
+    const Result<decisions::PairTable> pairs = decisions::assigned(*table, options.assign);
     if (!pairs) return pairs.error();
     if (const Result<void> w = writeJson(folder / "candidates.json", toJson(*table)); !w)
       return w.error();
@@ -196,7 +199,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                                         compare, run.progress);
   if (!record) return record.error();
   std::string folder = "pairs";
-  const Decisions decisions = aboutPartners(run.decisions);
+  const decisions::Decisions decisions = aboutPartners(run.decisions);
   if (!decisions.empty()) {
     folder = "decided";
     const auto work = [&](const fs::path& into) {

@@ -81,8 +81,8 @@ Result<Grounds> readGrounds(const fs::path& file) {
 }
 
 struct SidePoses {
-  rig::ColmapPoses poses;
-  std::optional<rig::KnownScale> scale;
+  colmap::ColmapPoses poses;
+  std::optional<checks::KnownScale> scale;
   std::optional<Eigen::AlignedBox2d> ground;
 };
 
@@ -90,26 +90,26 @@ struct SidePoses {
 Result<SidePoses> poseSideWithoutPlate(const Run& run, batch::Side side,
                                        std::vector<batch::Shot> shots, Progress& progress) {
   const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
-  rig::ColmapPoseOptions options;
+  colmap::ColmapPoseOptions options;
   options.threads = run.options.threads;
   const bool free = run.batch.way == batch::Way::FreeCamera;
   if (free) {
-    options.lenses = rig::lensesOf(shots);
+    options.lenses = calibration::lensesOf(shots);
     options.megapixels = kColmapMegapixels;
     for (batch::Shot& shot : shots) shot.mask_file.clear();  // the room stands still and helps
   }
-  Result<rig::ColmapPoses> found =
-      rig::poseWithColmap(shots, workspace, options, progress, run.stop);
+  Result<colmap::ColmapPoses> found =
+      colmap::poseWithColmap(shots, workspace, options, progress, run.stop);
   if (!found) return found.error();
-  const Result<std::optional<rig::KnownScale>> known =
+  const Result<std::optional<checks::KnownScale>> known =
       knownScale(run.batch, side, *found, run.options.threads, run.stop);
   if (!known) return known.error();
   SidePoses posed{
-      rig::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found)), *known, {}};
+      colmap::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found)), *known, {}};
   if (free)
     if (const auto plane = rig::findSupportPlane(posed.poses.images, posed.poses.points,
                                                  Eigen::Vector3d::UnitZ())) {
-      rig::moveTo(posed.poses, plane->plane_from_world);
+      colmap::moveTo(posed.poses, plane->plane_from_world);
       posed.ground = plane->extent;
     }
   std::error_code ignored;
@@ -137,7 +137,7 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
     if (posed->scale)
       notes.figures[std::string("scale_spread_") + batch::name(side)] =
           posed->scale->relative_spread;
-    const rig::ColmapPoses& poses = posed->poses;
+    const colmap::ColmapPoses& poses = posed->poses;
     images.insert(images.end(), poses.images.begin(), poses.images.end());
     grounds[sideIndex(side)] = posed->ground;
     reprojection_px = std::max(reprojection_px, poses.reprojection_px);
@@ -161,9 +161,9 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
 }
 
 // Residuals per camera; with a known rig how well it fitted and what has moved since.
-ordered_json residualsOf(const rig::BatchPoses& poses) {
+ordered_json residualsOf(const calibration::BatchPoses& poses) {
   ordered_json list = ordered_json::array();
-  for (const rig::CameraFindings& c : poses.cameras)
+  for (const calibration::CameraFindings& c : poses.cameras)
     list.push_back({{"camera", c.camera},
                     {"median_residual_px", c.median_residual_px},
                     {"known_rig_residual_px", c.known_residual_px},
@@ -173,9 +173,9 @@ ordered_json residualsOf(const rig::BatchPoses& poses) {
 }
 
 // Distances between markers that took no part in the fit.
-ordered_json heldOutOf(const rig::BatchPoses& poses) {
+ordered_json heldOutOf(const calibration::BatchPoses& poses) {
   ordered_json list = ordered_json::array();
-  for (const rig::HeldOutDistance& d : poses.held_out)
+  for (const calibration::HeldOutDistance& d : poses.held_out)
     list.push_back({{"markers", {d.first, d.second}},
                     {"expected_mm", d.expected_mm},
                     {"measured_mm", d.measured_mm},
@@ -184,8 +184,9 @@ ordered_json heldOutOf(const rig::BatchPoses& poses) {
 }
 
 // What speaks against the scale holds the result; what agrees stands in the log.
-ScaleCheck scaleOf(const Run& run, const rig::BatchPoses& poses, StageNotes& notes) {
-  const ScaleCheck check = checkScale(poses, run.batch.known_lengths);
+checks::ScaleCheck scaleOf(const Run& run, const calibration::BatchPoses& poses,
+                           StageNotes& notes) {
+  const checks::ScaleCheck check = checks::checkScale(poses, run.batch.known_lengths);
   for (const std::string& warning : check.warnings) {
     run.progress.note(NoteLevel::Warning, warning);
     notes.warnings.push_back(warning);
@@ -194,7 +195,7 @@ ScaleCheck scaleOf(const Run& run, const rig::BatchPoses& poses, StageNotes& not
   return check;
 }
 
-void leaveOut(rig::BatchPoses& poses, std::size_t index) {
+void leaveOut(calibration::BatchPoses& poses, std::size_t index) {
   const auto at = static_cast<std::ptrdiff_t>(index);
   poses.images.erase(poses.images.begin() + at);
   poses.rms_per_image_px.erase(poses.rms_per_image_px.begin() + at);
@@ -202,13 +203,13 @@ void leaveOut(rig::BatchPoses& poses, std::size_t index) {
 }
 
 // Blurred photographs help the poses, by their markers, and harm all that follows.
-Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
-  PhotoCheckOptions options;
+Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses, StageNotes& notes) {
+  checks::PhotoCheckOptions options;
   options.one_camera = run.batch.way == batch::Way::FreeCamera;
   options.megapixels = run.options.megapixels;
   options.threads = run.options.threads;
-  const Result<PhotoFindings> found =
-      checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
+  const Result<checks::PhotoFindings> found =
+      checks::checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
   if (!found) return found.error();
   for (const std::string& warning : found->warnings) {
     run.progress.note(NoteLevel::Warning, warning);
@@ -220,7 +221,7 @@ Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& 
 
 // Where a round plate turned below a camera at rest, what was taken from elsewhere has a light and
 // a room of its own, which a single photograph does not tell.
-void leaveOutOutliers(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
+void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, StageNotes& notes) {
   if (run.batch.way != batch::Way::FreeCamera || !run.batch.plate->round) return;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     std::vector<rig::PosedImage> images;
@@ -314,16 +315,16 @@ Result<Staged<Poses>> poseStage(const Run& run) {
   }
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
     if (!run.batch.plate) return poseWithoutPlate(run, folder);
-    rig::PoseOptions options;
+    calibration::PoseOptions options;
     options.threads = run.options.threads;
     const bool free = run.batch.way == batch::Way::FreeCamera;
-    Result<rig::BatchPoses> poses =
-        free ? rig::poseFreeCameras(run.batch, options, run.progress, run.stop)
-             : rig::poseBatch(run.batch, known, options, run.progress, run.stop);
+    Result<calibration::BatchPoses> poses =
+        free ? calibration::poseFreeCameras(run.batch, options, run.progress, run.stop)
+             : calibration::poseBatch(run.batch, known, options, run.progress, run.stop);
     if (!poses) return poses.error();
     StageNotes notes;
     notes.warnings = poses->warnings;
-    const ScaleCheck scale = scaleOf(run, *poses, notes);
+    const checks::ScaleCheck scale = scaleOf(run, *poses, notes);
     if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
     leaveOutOutliers(run, *poses, notes);
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);

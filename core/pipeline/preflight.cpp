@@ -38,7 +38,7 @@ std::string missingProgram(const batch::Batch& batch, const ProcessOptions& opti
   if (options.dense == DenseMethod::OpenMvs)
     wanted.insert(wanted.end(), {"InterfaceCOLMAP", "DensifyPointCloud"});
   for (const std::string& name : wanted)
-    if (!rig::findProgram(name)) return name;
+    if (!colmap::findProgram(name)) return name;
   return {};
 }
 

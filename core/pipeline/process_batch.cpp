@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 Run runOf(const ProcessOptions& options, const batch::Batch& batch, const FolderLock& held,
-          const ordered_json& hashes, const Decisions& holding, Progress& progress,
+          const ordered_json& hashes, const decisions::Decisions& holding, Progress& progress,
           std::stop_token stop) {
   return {options,
           batch,
@@ -78,9 +78,9 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
     StageNotes notes;
     notes.figures["moved"] = ordered_json::array();
     const std::vector<rig::PosedImage> images = byStops(poses.value.of(side), run.batch.way);
-    const std::vector<MovedSherd> moved =
-        findMoved(images, found.masks.value, found.scans.value, {.threads = run.options.threads});
-    for (const MovedSherd& sherd : moved) {
+    const std::vector<checks::MovedSherd> moved = checks::findMoved(
+        images, found.masks.value, found.scans.value, {.threads = run.options.threads});
+    for (const checks::MovedSherd& sherd : moved) {
       char by[16];
       std::snprintf(by, sizeof by, "%.0f", sherd.by_mm);
       const std::string text = sherd.scan + " moved by about " + by + " mm on the " +
@@ -251,7 +251,7 @@ Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided,
     if (run.stop.stop_requested()) return Error::cancelled();
     const scan::Scan& f = front.scans.value[static_cast<std::size_t>(decided[i].front)];
     const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
-    const std::string number = sherdNumber(f.id);
+    const std::string number = decisions::sherdNumber(f.id);
     PartProgress progress(run.progress, i, decided.size());
     const Run one{run.options,     run.batch,     run.held, run.work, run.batch_hash,
                   run.photographs, run.decisions, progress, run.stop};
@@ -303,7 +303,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   report.scale_doubts =
       poses.record.notes.figures.value("scale_doubts", std::vector<std::string>());
   report.draft = poses.record.notes.figures.value("draft", false);
-  for (const PairDecision& d : run.decisions) report.decisions.push_back(d.number);
+  for (const decisions::PairDecision& d : run.decisions) report.decisions.push_back(d.number);
   report.poses = &poses.value;
   report.front_masks = &front.masks.value;
   report.back_masks = &back.masks.value;
@@ -329,8 +329,8 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
                            stage.record.notes.warnings.end());
   // Scans that are split already lie on no plate and touch nothing.
   if (run.batch.plate && report.one_side.empty())
-    for (const auto& words :
-         {perhapsTouching(lone_fronts, lone_backs), perhapsTouching(lone_backs, lone_fronts)})
+    for (const auto& words : {checks::perhapsTouching(lone_fronts, lone_backs),
+                              checks::perhapsTouching(lone_backs, lone_fronts)})
       for (const std::string& warning : words) {
         run.progress.note(NoteLevel::Warning, warning);
         report.warnings.push_back(warning);
@@ -368,10 +368,11 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
 }
 
 // A batch whose shots are its scans, so that OUT knows whose it is.
-batch::Batch batchOf(const fs::path& folder, const ScanFolder& fronts, const ScanFolder& backs) {
+batch::Batch batchOf(const fs::path& folder, const decisions::ScanFolder& fronts,
+                     const decisions::ScanFolder& backs) {
   batch::Batch batch;
   batch.folder = fs::absolute(folder).lexically_normal();
-  const auto add = [&](batch::Side side, const ScanFolder& scans) {
+  const auto add = [&](batch::Side side, const decisions::ScanFolder& scans) {
     for (std::size_t i = 0; i < scans.files.size(); ++i)
       batch.shots.push_back({side,
                              0,
@@ -383,11 +384,12 @@ batch::Batch batchOf(const fs::path& folder, const ScanFolder& fronts, const Sca
   };
   add(batch::Side::Front, fronts);
   add(batch::Side::Back, backs);
-  if (standOnPlate(fronts.scans) && standOnPlate(backs.scans)) batch.plate = batch::Plate{};
+  if (decisions::standOnPlate(fronts.scans) && decisions::standOnPlate(backs.scans))
+    batch.plate = batch::Plate{};
   return batch;
 }
 
-Result<Sides> importedSide(const Run& run, batch::Side side, const ScanFolder& folder,
+Result<Sides> importedSide(const Run& run, batch::Side side, const decisions::ScanFolder& folder,
                            std::vector<ReportStage>& stages) {
   const std::string name = batch::name(side);
   run.progress.begin("scans of the " + name + " side", 0.02);
@@ -404,8 +406,8 @@ Result<ProcessSummary> unlessGone(const Run& run, Result<ProcessSummary> summary
   return outputGone(run.options.output);
 }
 
-Result<ProcessSummary> runImported(const Run& run, const ScanFolder& fronts,
-                                   const ScanFolder& backs,
+Result<ProcessSummary> runImported(const Run& run, const decisions::ScanFolder& fronts,
+                                   const decisions::ScanFolder& backs,
                                    const std::vector<std::string>& reading) {
   ReportInput report;
   const Result<Sides> front = importedSide(run, batch::Side::Front, fronts, report.stages);
@@ -428,13 +430,13 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (!batch) return batch.error();
   if (Result<void> sheet = proposeMissingSheet(*batch, options, reading, stop); !sheet)
     return sheet.error();
-  for (const std::string& warning : settingsWarnings(*batch, options.threads))
+  for (const std::string& warning : checks::settingsWarnings(*batch, options.threads))
     reading.note(NoteLevel::Warning, warning);
   const Result<Preflight> ahead = preflight(*batch, options, freeMemoryMb());
   if (!ahead) return ahead.error();
-  const Result<Decisions> decisions = readDecisions(options.output);
+  const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
-  const Decisions holding = standing(*decisions);
+  const decisions::Decisions holding = decisions::standing(*decisions);
   const ordered_json hashes = batchHashes(*batch, options.threads);
   const Result<FolderLock> held = claimOutput(options.output, *batch, hashes);
   if (!held) return held.error();
@@ -458,16 +460,18 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
                                     std::stop_token stop) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   const auto begin = std::chrono::steady_clock::now();
-  const Result<ScanFolder> fronts = readScanFolder(options.batch / "front", options.threads);
+  const Result<decisions::ScanFolder> fronts =
+      decisions::readScanFolder(options.batch / "front", options.threads);
   if (!fronts) return fronts.error();
-  const Result<ScanFolder> backs = readScanFolder(options.batch / "back", options.threads);
+  const Result<decisions::ScanFolder> backs =
+      decisions::readScanFolder(options.batch / "back", options.threads);
   if (!backs) return backs.error();
-  if (const Result<void> unit = checkUnit(*fronts, *backs, "export them in mm"); !unit)
+  if (const Result<void> unit = decisions::checkUnit(*fronts, *backs, "export them in mm"); !unit)
     return unit.error();
   const batch::Batch batch = batchOf(options.batch, *fronts, *backs);
-  const Result<Decisions> decisions = readDecisions(options.output);
+  const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
-  const Decisions holding = standing(*decisions);
+  const decisions::Decisions holding = decisions::standing(*decisions);
   const ordered_json hashes = batchHashes(batch, options.threads);
   const Result<FolderLock> held = claimOutput(options.output, batch, hashes);
   if (!held) return held.error();

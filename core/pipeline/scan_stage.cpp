@@ -42,11 +42,12 @@ Result<Scans> readScans(const fs::path& folder, const StageRecord& record) {
 
 Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
   const std::string frame = std::string("plate_") + batch::name(side);
-  Decisions edits;
-  for (const PairDecision& d : run.decisions)
-    if (hasEdits({d}, side)) edits.push_back(d);
+  decisions::Decisions edits;
+  for (const decisions::PairDecision& d : run.decisions)
+    if (decisions::hasEdits({d}, side)) edits.push_back(d);
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const EditedPieces edited = editedPieces(found.value, side, edits, run.photographsOf(side));
+    const decisions::EditedPieces edited =
+        decisions::editedPieces(found.value, side, edits, run.photographsOf(side));
     const Result<ordered_json> points = writeScans(folder, edited.scans, frame);
     if (!points) return points.error();
     return StageNotes{{{"points", *points},
@@ -101,7 +102,7 @@ void layApart(std::vector<scan::Scan>& scans) {
 
 }  // namespace
 
-Result<Scans> importStage(const Run& run, batch::Side side, const ScanFolder& folder) {
+Result<Scans> importStage(const Run& run, batch::Side side, const decisions::ScanFolder& folder) {
   const std::string name = std::string("scans_") + batch::name(side);
   const bool on_plate = run.batch.plate.has_value();
   const auto work = [&](const fs::path& into) -> Result<StageNotes> {
@@ -124,12 +125,13 @@ Result<Scans> importStage(const Run& run, batch::Side side, const ScanFolder& fo
                work, run.progress);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
-  if (!found || !hasEdits(run.decisions, side)) return found;
+  if (!found || !decisions::hasEdits(run.decisions, side)) return found;
   return editStage(run, side, *found);
 }
 
 std::string scanFolder(const Run& run, batch::Side side) {
-  return (hasEdits(run.decisions, side) ? "pieces_" : "scans_") + std::string(batch::name(side));
+  return (decisions::hasEdits(run.decisions, side) ? "pieces_" : "scans_") +
+         std::string(batch::name(side));
 }
 
 Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
@@ -157,7 +159,7 @@ Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& p
                                               work, run.progress);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
-  if (!found || !hasEdits(run.decisions, side)) return found;
+  if (!found || !decisions::hasEdits(run.decisions, side)) return found;
   return editStage(run, side, *found);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 namespace {
 
 constexpr std::array kTokens = {"site", "trench", "context", "bag", "batch", "yyyy", "yy", "n"};
@@ -124,4 +124,4 @@ bool Numbering::uses(std::string_view token) const {
                      [&](const Part& part) { return part.token && part.text == token; });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

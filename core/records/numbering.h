@@ -7,6 +7,10 @@
 #include "base/result.h"
 
 namespace ostraka::catalogue {
+class Catalogue;
+}  // namespace ostraka::catalogue
+
+namespace ostraka::records {
 
 /// `{site}-{trench}-{context}-{n:04}`: how sherds are numbered. n counts for each combination of
 /// the other tokens.
@@ -36,10 +40,9 @@ class Numbering {
   std::vector<Part> parts_;
 };
 
-class Catalogue;
-
 /// The next running number of a count (Numbering::counter) in a block, as those given so far have
 /// it; not reserved.
-Result<int> nextNumber(const Catalogue& catalogue, const std::string& counter, int first, int last);
+Result<int> nextNumber(const catalogue::Catalogue& catalogue, const std::string& counter, int first,
+                       int last);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

@@ -8,7 +8,7 @@
 #include "records/sherd.h"
 #include "store/values.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 namespace {
 
 constexpr double kFar = 3;                              // callipers and models differ by far less
@@ -31,7 +31,7 @@ std::optional<double> valueOf(const MeasureValues& values, const std::string& ki
 
 std::string withUnit(double value, const std::string& kind) {
   const std::string unit = unitOf(kind);
-  return numberText(std::round(100 * value) / 100) + " " + (unit == "pct" ? "%" : unit);
+  return store::numberText(std::round(100 * value) / 100) + " " + (unit == "pct" ? "%" : unit);
 }
 
 // Within a sentence.
@@ -94,4 +94,4 @@ std::string sentenceOf(const MeasureFinding& finding) {
   return "The computed value is " + reference + ". Replace it with the measured value?";
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

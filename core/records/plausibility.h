@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 
 /// Why a person is asked before a measured value counts.
 enum class MeasureDoubt {
@@ -34,4 +34,4 @@ std::vector<MeasureFinding> implausible(const std::vector<std::string>& kinds,
 /// One sentence of a finding.
 std::string sentenceOf(const MeasureFinding& finding);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

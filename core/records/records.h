@@ -9,11 +9,11 @@
 #include "batch/batch.h"
 #include "store/row.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 
 /// Who does something, and through what; goes into the history with the time.
 struct Provenance {
-  PersonRow person;               ///< none: the program itself
+  store::PersonRow person;        ///< none: the program itself
   std::string source = "window";  ///< window, import, process, ...
   std::string why;                ///< a reason typed in; may be empty
 };
@@ -28,37 +28,37 @@ struct ProjectRecord {
 };
 
 struct PersonRecord {
-  PersonRow row;
+  store::PersonRow row;
   std::string id, name, initials, orcid;
 };
 
 struct SiteRecord {
-  SiteRow row;
+  store::SiteRow row;
   std::string id, code, name, gazetteer;
   std::optional<double> latitude_deg, longitude_deg;  ///< WGS 84
   bool location_public = false;
 };
 
 struct TrenchRecord {
-  TrenchRow row;
-  SiteRow site;
+  store::TrenchRow row;
+  store::SiteRow site;
   std::string id, code, name;
-  TrenchRow parent;
+  store::TrenchRow parent;
 };
 
 struct ContextRecord {
-  ContextRow row;
-  SiteRow site;
-  TrenchRow trench;        ///< none: directly in the site
-  std::string id, number;  ///< a text: 0012 and 12 differ
+  store::ContextRow row;
+  store::SiteRow site;
+  store::TrenchRow trench;  ///< none: directly in the site
+  std::string id, number;   ///< a text: 0012 and 12 differ
   std::string kind, excavated_on, period, date_edtf, note;
   bool closed = false;
   std::string site_code, trench_code, extra_json = "{}";  ///< codes read only; own fields
 };
 
 struct BagRecord {
-  BagRow row;
-  ContextRow context;
+  store::BagRow row;
+  store::ContextRow context;
   std::string id, number, collected_on, storage;
   std::optional<int> count_written;
   std::optional<double> weight_g;
@@ -69,10 +69,10 @@ struct BagRecord {
 enum class BatchState { Placed, Front, Flipped, Back, Queued, Computed, Review, Done, Failed };
 
 struct BatchRecord {
-  BatchRow row;
+  store::BatchRow row;
   std::string id, number;  ///< B0031; also the name of its folders
-  std::vector<BagRow> bags;
-  PersonRow operator_;
+  std::vector<store::BagRow> bags;
+  store::PersonRow operator_;
   int counted = 0;  ///< sherds counted by the person, 1..60; 0 = not counted
   BatchState state = BatchState::Placed;
   std::optional<std::int64_t> started_ms, ended_ms;
@@ -83,8 +83,8 @@ struct BatchRecord {
 };
 
 struct PhotographRecord {
-  PhotographRow row;
-  BatchRow batch;
+  store::PhotographRow row;
+  store::BatchRow batch;
   batch::Side side = batch::Side::Front;
   char camera = 'A';       ///< place A, B, C, ...
   int stop = 0, take = 0;  ///< unique together with batch, side and camera
@@ -98,8 +98,8 @@ struct PhotographRecord {
 enum class ScanState { Open, Paired, Aside };
 
 struct ScanRecord {
-  ScanRow row;
-  BatchRow batch;
+  store::ScanRow row;
+  store::BatchRow batch;
   batch::Side side = batch::Side::Front;
   int index = 0;     ///< 3 for f003; below 0: of an earlier computation, gone since
   std::string name;  ///< as in pairs.json: f003
@@ -115,17 +115,17 @@ enum class Verdict { Accept, Reject, Aside, Reshoot, Withdraw };
 
 /// One row of the append-only list. front or back may be none for Aside and Reshoot.
 struct PairDecision {
-  DecisionRow row;
-  BatchRow batch;
-  ScanRow front, back;
+  store::DecisionRow row;
+  store::BatchRow batch;
+  store::ScanRow front, back;
   std::optional<Eigen::Isometry3d> front_from_back;  ///< mm
   std::optional<double> score, margin, fracture_rms_mm, fracture_overlap;
   bool ambiguous = false;
-  PersonRow by;  ///< none: the program
+  store::PersonRow by;  ///< none: the program
   Verdict verdict = Verdict::Accept;
-  DecisionRow replaces;
+  store::DecisionRow replaces;
   std::string note;
   std::int64_t at_ms = 0;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

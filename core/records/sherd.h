@@ -8,25 +8,25 @@
 #include "records/plausibility.h"
 #include "records/records.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 
 enum class SherdState { Draft, Numbered, Void };
 
 /// A sherd with everything that a row of the table and the details show.
 struct SherdRecord {
-  SherdRow row;
+  store::SherdRow row;
   std::string id, number;  ///< number is empty for a draft
   SherdState state = SherdState::Draft;
   std::string void_reason;
-  ContextRow context;
-  BagRow bag;
-  BatchRow batch;       ///< that it was photographed in
-  ScanRow front, back;  ///< back is none while the front has no partner
+  store::ContextRow context;
+  store::BagRow bag;
+  store::BatchRow batch;       ///< that it was photographed in
+  store::ScanRow front, back;  ///< back is none while the front has no partner
   std::vector<std::string> part, decoration, condition;  ///< terms of the vocabularies
   std::string ware, fabric, inclusions, manufacture, firing, surface_out, surface_in;
   std::string munsell_out, munsell_in, munsell_core, period, date_edtf, vessel, note;
-  std::vector<SherdRow> joins;    ///< sherds that it joins; goes both ways
-  std::string extra_json = "{}";  ///< the user's own fields
+  std::vector<store::SherdRow> joins;  ///< sherds that it joins; goes both ways
+  std::string extra_json = "{}";       ///< the user's own fields
   std::int64_t created_ms = 0, updated_ms = 0;
   int revision = 0;
   // read only, from the tables beside it
@@ -44,12 +44,12 @@ struct SherdRecord {
 /// kinds: length width thickness_min thickness_mean thickness_max (mm), area (mm2), volume (mm3),
 /// filled_pct rim_pct (pct), rim_diameter (mm), weight (g).
 struct Measurement {
-  SherdRow sherd;
+  store::SherdRow sherd;
   std::string kind, unit;
   double value = 0;
   std::optional<double> uncertainty;  ///< half of the 95 % interval, in the unit
   std::string method = "program";     ///< program, scale, calliper, estimate
-  PersonRow by;
+  store::PersonRow by;
   std::string model_sha256;
 };
 /// mm, mm2, mm3, g or pct; empty for an unknown kind.
@@ -58,18 +58,18 @@ std::string unitOf(const std::string& measurement_kind);
 enum class FileState { Present, Missing, Changed };
 
 struct FileRecord {
-  FileRow row;
+  store::FileRow row;
   std::string id, path;                  ///< relative to the project, with '/'
   std::string sha256, media_type, role;  ///< photo mask scan model preview drawing report
   std::int64_t bytes = 0;
   FileState state = FileState::Present;
-  SherdRow sherd;  ///< none: of the batch as a whole
-  BatchRow batch;
+  store::SherdRow sherd;  ///< none: of the batch as a whole
+  store::BatchRow batch;
 };
 
 struct HistoryEntry {
   std::int64_t at_ms = 0;
-  PersonRow by;  ///< none: the program
+  store::PersonRow by;  ///< none: the program
   std::string table, field, old_value, new_value, why, source;
   std::int64_t row = 0;
 };
@@ -94,7 +94,7 @@ enum class Confirmation { None, Given };
 
 /// One value to be changed; `value` is text as in CSV, empty deletes.
 struct FieldChange {
-  SherdRow sherd;
+  store::SherdRow sherd;
   std::string field;
   std::string value;
   Confirmation confirmation = Confirmation::None;
@@ -104,7 +104,7 @@ struct ChangePreview {
   FieldChange change;
   std::string old_value, new_value;  ///< in canonical form
   std::string refusal;               ///< a sentence; empty when it can be done
-  SherdRow in_the_way;               ///< who has this number already
+  store::SherdRow in_the_way;        ///< who has this number already
   /// Of a measurement that a person has to confirm, and the sentences that ask; else empty.
   std::vector<MeasureFinding> findings = {};
   std::string question = {};
@@ -123,4 +123,4 @@ struct Term {
   std::string uri;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

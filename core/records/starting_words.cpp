@@ -1,6 +1,6 @@
 #include "records/starting_words.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 namespace {
 
 struct Words {
@@ -100,4 +100,4 @@ const std::vector<StartingVocabulary>& startingVocabularies() {
   return all;
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

@@ -4,7 +4,7 @@
 
 #include "records/sherd.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 
 struct StartingVocabulary {
   std::string name;  ///< part, surface, ...
@@ -15,4 +15,4 @@ struct StartingVocabulary {
 /// change it in the settings.
 const std::vector<StartingVocabulary>& startingVocabularies();
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

@@ -6,7 +6,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 
 /// An enumeration's words as the tables hold them, in the order of the enumeration.
 template <class Enum>
@@ -50,4 +50,4 @@ Enum fromWord(std::string_view word) {
   return Enum{};
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

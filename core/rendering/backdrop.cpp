@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 constexpr float kTable = -70, kPlateThickness = 14;  // mm: the table's height, the plate's side
@@ -68,8 +68,8 @@ Eigen::Vector3f PlateBackdrop::table(const Eigen::Vector3f& p) const {
   const float radius = p.head<2>().norm();
   const float open = 1 / (1 + std::exp((PlateSurface::kRadius + 15 - radius) / 35));
   const Eigen::Vector2f q = room_turn_ * p.head<2>();
-  const float folds = 1 + 0.3f * fractalNoise({q.x() / 40, q.y() / 40, 7}, 77, 3);
+  const float folds = 1 + 0.3f * vessels::fractalNoise({q.x() / 40, q.y() / 40, 7}, 77, 3);
   return Eigen::Vector3f(0.0145f, 0.0142f, 0.0148f) * ((0.15f + 0.85f * open) * folds);
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -6,7 +6,7 @@
 #include "rendering/lighting.h"
 #include "rendering/plate_surface.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// Of a look into the scene: plate frame, mm; the direction is not a unit vector.
 struct Ray {
@@ -48,4 +48,4 @@ class PlateBackdrop final : public Backdrop {
   Hand hand_;
 };
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -1,6 +1,6 @@
 #include "rendering/hand_held.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 Result<void> HandHeldOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
@@ -23,4 +23,4 @@ Eigen::Vector2d paperSize(SheetSize size) {
   return {297, 210};
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

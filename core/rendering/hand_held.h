@@ -4,7 +4,7 @@
 #include "base/result.h"
 
 /// Photographs by hand over a printed sheet on a table.
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 enum class SheetSize { A4, A3, Letter };
 enum class TableKind { Wood, Cloth, Granite, CuttingMat };
@@ -32,4 +32,4 @@ struct HandHeldOptions {
 /// Width and height of the paper, mm.
 Eigen::Vector2d paperSize(SheetSize size);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 // Of the light's rectangle, what lies nearest to the ray from p.
@@ -29,11 +29,11 @@ Eigen::Vector3f nearestPoint(const Light& light, const Eigen::Vector3f& p,
 
 Eigen::Vector3f highlights(const Lighting& lighting, const Eigen::Vector3f& p,
                            const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye,
-                           const LightField::Shares& shares, const Gloss& gloss) {
+                           const LightField::Shares& shares, const vessels::Gloss& gloss) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   const float nv = normal.dot(to_eye);
   if (gloss.weight <= 0 || nv <= 0.01f) return sum;
-  const Eigen::Vector3f ray = mirrored(normal, to_eye);
+  const Eigen::Vector3f ray = vessels::mirrored(normal, to_eye);
   for (int l = 0; l < kLights; ++l) {
     const Light& light = lighting.lights[l];
     if (shares[l] == 0 || light.strength.isZero()) continue;
@@ -55,9 +55,9 @@ Eigen::Vector3f highlights(const Lighting& lighting, const Eigen::Vector3f& p,
     // No brighter than the light itself, of which a mirror shows pi / solid angle.
     const float mirror = std::numbers::pi_v<float> * distance2 / (4 * half_area);
     sum += light.strength * (gloss.weight * shares[l] * centre.squaredNorm() / distance2 *
-                             fresnel(vh) * std::min(lobe, mirror));
+                             vessels::fresnel(vh) * std::min(lobe, mirror));
   }
   return sum;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 // Strata of a light, side by side: penumbras within 3 %, those of windows, which are wide, too.
@@ -38,7 +38,7 @@ LightField::Shares seenShares(const Scene& scene, const Lighting& lighting,
     const Eigen::Vector3f to_centre = light.centre.cast<float>() - p;
     const float spread = static_cast<float>(light.half_u.norm() + light.half_v.norm());
     if (normal.dot(to_centre) < -spread) continue;  // wholly behind
-    const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(l));
+    const std::uint64_t h = vessels::mixed(hash, static_cast<std::uint64_t>(l));
     const int side = shadowSide(light);
     const auto sees = [&](int i) {
       const double a = (i % side + unit(h, 0)) / side;
@@ -93,7 +93,7 @@ class AmbientSource {
       LightField::Shares shares;
       for (int l = 0; l < kLights; ++l) {
         const Light& light = lightings_[k].lights[l];
-        const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(k * kLights + l));
+        const std::uint64_t h = vessels::mixed(hash, static_cast<std::uint64_t>(k * kLights + l));
         shares[l] = !light.strength.isZero() && seesLight(scene_, light, p, h) ? 1.f : 0.f;
       }
       sum += directLight(lightings_[k], p, normal, shares);
@@ -193,7 +193,7 @@ Light softbox(double azimuth, double elevation, double distance, double half_wid
   return light;
 }
 
-Lighting makeLighting(Random& random) {
+Lighting makeLighting(vessels::Random& random) {
   Lighting lighting;
   const double key = random.uniform(0, 2 * std::numbers::pi);
   const auto warm = [&](double strength) {
@@ -230,7 +230,7 @@ LightField castShadows(const Scene& scene, const Lighting& lighting, std::uint64
     field.vertices.emplace_back(points.size());
     overBlocks(points.size(), threads, [&](std::size_t i) {
       field.vertices[s][i] = seenShares(scene, lighting, points[i] + kLift * normals[i], normals[i],
-                                        mixed(seed + s, i));
+                                        vessels::mixed(seed + s, i));
     });
   }
   const int n = gridOf(lighting);
@@ -240,7 +240,8 @@ LightField castShadows(const Scene& scene, const Lighting& lighting, std::uint64
     if (!close[i]) return;
     const Eigen::Vector3f p(static_cast<float>(static_cast<int>(i % n) - n / 2),
                             static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
-    field.plate[i] = seenShares(scene, lighting, p, Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+    field.plate[i] =
+        seenShares(scene, lighting, p, Eigen::Vector3f::UnitZ(), vessels::mixed(seed + 991, i));
   });
   return field;
 }
@@ -272,14 +273,14 @@ AmbientField gatherAmbient(const Scene& scene, const Lighting& lighting, const G
       const auto& normals = scene.normals(static_cast<int>(s));
       vertices[s].resize(points.size());
       overBlocks(points.size(), threads, [&](std::size_t i) {
-        vertices[s][i] =
-            body(points[i] + kLift * normals[i], normals[i], mixed(seed + s, i), options.side);
+        vertices[s][i] = body(points[i] + kLift * normals[i], normals[i],
+                              vessels::mixed(seed + s, i), options.side);
       });
     }
     overBlocks(cells.size(), threads, [&](std::size_t i) {
       if (close[i])
-        cells[i] =
-            body(cell(i), Eigen::Vector3f::UnitZ(), mixed(seed + 991, i), options.ground_side);
+        cells[i] = body(cell(i), Eigen::Vector3f::UnitZ(), vessels::mixed(seed + 991, i),
+                        options.ground_side);
     });
   };
   FirstLight first;
@@ -331,4 +332,4 @@ void plateLight(const LightField& field, const AmbientField& ambient, const Eige
   }
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

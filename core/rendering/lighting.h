@@ -6,7 +6,7 @@
 #include "rendering/scene.h"
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 inline constexpr int kLights = 3;
 
@@ -35,7 +35,7 @@ struct Lighting {
 /// A light of this width and height at a distance, mm, turned towards the plate's middle.
 Light softbox(double azimuth_rad, double elevation_rad, double distance, double half_width,
               double half_height, const Eigen::Vector3f& strength);
-Lighting makeLighting(Random& random);
+Lighting makeLighting(vessels::Random& random);
 /// The room turned against the plate, so that shadows stay with the lamps: plate_from_room.
 Lighting turned(const Lighting& lighting, double plate_angle_rad);
 
@@ -75,4 +75,4 @@ Eigen::Vector3f directLight(const Lighting& room_plate, const Eigen::Vector3f& p
 void plateLight(const LightField& field, const AmbientField& ambient, const Eigen::Vector2f& p,
                 LightField::Shares& shares, Eigen::Vector3f& irradiance);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// A name of a file from a printf pattern with up to two whole numbers, as "cam%d_pos%02d.jpg".
 inline std::string numbered(const char* pattern, int a, int b = 0) {
@@ -11,4 +11,4 @@ inline std::string numbered(const char* pattern, int a, int b = 0) {
   return text;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -7,7 +7,7 @@
 #include "rendering/highlights.h"
 #include "rendering/sensor.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 constexpr int kTile = 16;
@@ -105,7 +105,7 @@ class Renderer {
       };
       const Ray r = lensRay(x, y, part(0.7548777f, 16), part(0.5698403f, 32),
                             radius * Eigen::Vector2f(std::cos(angle), std::sin(angle)));
-      const std::uint64_t own = mixed(hash, static_cast<std::uint64_t>(k + 100 * count));
+      const std::uint64_t own = vessels::mixed(hash, static_cast<std::uint64_t>(k + 100 * count));
       const Scene::Hit hit =
           with_sherds ? view_.scene.nearest(r.origin, r.direction) : Scene::Hit{};
       const Eigen::Vector3f light =
@@ -202,7 +202,7 @@ class Renderer {
     const auto pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(lens_.intrinsics().width) +
         static_cast<std::uint64_t>(x);
-    return mixed(seed_, 16 * pixel + static_cast<std::uint64_t>(sample));
+    return vessels::mixed(seed_, 16 * pixel + static_cast<std::uint64_t>(sample));
   }
 
   // A place on a body, between its triangle's corners.
@@ -229,12 +229,12 @@ class Renderer {
     return at;
   }
 
-  ClayPlace clayPlaceOf(const Scene::Hit& hit) const {
-    const VirtualSherd& sherd = view_.scene.sherds()[hit.body];
+  vessels::ClayPlace clayPlaceOf(const Scene::Hit& hit) const {
+    const vessels::VirtualSherd& sherd = view_.scene.sherds()[hit.body];
     const std::array<float, 3> w{1 - hit.u - hit.v, hit.u, hit.v};
-    ClayPlace place;
+    vessels::ClayPlace place;
     for (int k = 0; k < 3; ++k) {
-      const ClayPlace& corner = sherd.places[sherd.mesh.triangles[hit.triangle][k]];
+      const vessels::ClayPlace& corner = sherd.places[sherd.mesh.triangles[hit.triangle][k]];
       place.around_mm += w[k] * corner.around_mm;
       place.up_mm += w[k] * corner.up_mm;
       place.depth += w[k] * corner.depth;
@@ -250,30 +250,31 @@ class Renderer {
     for (int l = 0; l < kLights; ++l)
       if (view_.room_plate.lights[l].hard && at.shares[l] > 0)
         at.shares[l] = seesLight(view_.scene, view_.room_plate.lights[l], at.p + kLift * normal,
-                                 mixed(hash, static_cast<std::uint64_t>(l)));
+                                 vessels::mixed(hash, static_cast<std::uint64_t>(l)));
     if (!view_.scene.isSherd(hit.body)) {
       at.irradiance += directLight(view_.room_plate, at.p, normal, at.shares);
       return view_.scene.prop(hit.body).albedo(at.p).cwiseProduct(at.irradiance);
     }
-    const ClaySample clay =
-        sampleClay(view_.scene.sherds()[hit.body].clay, at.p_model, clayPlaceOf(hit));
+    const vessels::ClaySample clay =
+        vessels::sampleClay(view_.scene.sherds()[hit.body].clay, at.p_model, clayPlaceOf(hit));
     const Eigen::Vector3f slope = model_turns_[hit.body] * clay.slope;
     const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
     at.irradiance += directLight(view_.room_plate, at.p, bent, at.shares);
     // Facets of grains finer than a pixel flash up in one view and not in the next.
-    const float flash = std::max(0.f, 1 + clay.glitter * quickNormal(hash));
+    const float flash = std::max(0.f, 1 + clay.glitter * vessels::quickNormal(hash));
     Eigen::Vector3f light = clay.albedo.cwiseProduct(at.irradiance) * flash;
     if (clay.shine.weight > 0.01f) light += shine(at, clay.shine, bent, r, hash);
     return light * handShare(view_.hand, at.p);
   }
 
   // What a shiny face mirrors: the lights, and one look at what else is around.
-  Eigen::Vector3f shine(const Place& at, const Gloss& gloss, const Eigen::Vector3f& normal,
+  Eigen::Vector3f shine(const Place& at, const vessels::Gloss& gloss, const Eigen::Vector3f& normal,
                         const Ray& r, std::uint64_t hash) const {
     const Eigen::Vector3f to_eye = -r.direction.normalized();
     const Eigen::Vector3f lights =
         highlights(view_.room_plate, at.p, normal, to_eye, at.shares, gloss);
-    const Eigen::Vector3f towards = strewnReflection(normal, to_eye, gloss, mixed(hash, 55));
+    const Eigen::Vector3f towards =
+        vessels::strewnReflection(normal, to_eye, gloss, vessels::mixed(hash, 55));
     const Ray mirrored{at.p + 2 * kLift * at.normal, towards};
     const Scene::Hit other = view_.scene.nearest(mirrored.origin, mirrored.direction);
     Eigen::Vector3f around;
@@ -287,7 +288,7 @@ class Renderer {
     } else {
       around = view_.backdrop.light(mirrored, hash);
     }
-    return lights + gloss.weight * fresnel(normal.dot(to_eye)) * around;
+    return lights + gloss.weight * vessels::fresnel(normal.dot(to_eye)) * around;
   }
 
   const View& view_;
@@ -362,4 +363,4 @@ cv::Mat photographBoard(const BoardSurface& board, const LensRays& lens,
   return develop(linear, width, height, sensor, seed);
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

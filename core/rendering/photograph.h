@@ -5,7 +5,7 @@
 #include "rendering/backdrop.h"
 #include "rig/camera.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// What lens and sensor do to the light.
 struct Sensor {
@@ -73,4 +73,4 @@ cv::Mat photographBoard(const BoardSurface& board, const LensRays& lens,
                         const Eigen::Isometry3d& camera_from_board, const Sensor& sensor,
                         std::uint64_t seed);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -7,7 +7,7 @@
 
 #include "rig/plate_print.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 constexpr int kMarkers = 24;
@@ -36,7 +36,7 @@ batch::Plate standardPlate() {
 }
 
 PlateSurface::PlateSurface(PlateColor color, std::uint64_t seed)
-    : felt_(feltOf(color)), seed_(static_cast<std::uint32_t>(mixed(seed))) {
+    : felt_(feltOf(color)), seed_(static_cast<std::uint32_t>(vessels::mixed(seed))) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_100);
   for (int id = 0; id < kMarkers; ++id) {
     cv::Mat picture;
@@ -66,14 +66,15 @@ Eigen::Vector3f PlateSurface::albedo(const Eigen::Vector2f& p) const {
                 right = s * p.x() - c * p.y();
     const float reach = static_cast<float>(kSide) / 2 + kPaperMargin;
     if (id >= covered_ && std::abs(down) < reach && std::abs(right) < reach) {
-      const float fibre = 1 + 0.02f * noise({p.x() * 2, p.y() * 2, 0}, seed_ + 9);
+      const float fibre = 1 + 0.02f * vessels::noise({p.x() * 2, p.y() * 2, 0}, seed_ + 9);
       return Eigen::Vector3f(0.98f, 1.f, 0.97f) * (fibre * (ink(id, right, down) ? kInk : kPaper));
     }
     if (id < covered_)
-      return Eigen::Vector3f(0.10f, 0.12f, 0.2f) * (1 + 0.3f * noise({p.x(), p.y(), 3}, seed_ + 8));
+      return Eigen::Vector3f(0.10f, 0.12f, 0.2f) *
+             (1 + 0.3f * vessels::noise({p.x(), p.y(), 3}, seed_ + 8));
   }
-  const float cloud = fractalNoise({p.x() / 14, p.y() / 14, 0}, seed_, 2);
-  const float fibre = fractalNoise({p.x() / 1.1f, p.y() / 1.1f, 0}, seed_ + 4, 2);
+  const float cloud = vessels::fractalNoise({p.x() / 14, p.y() / 14, 0}, seed_, 2);
+  const float fibre = vessels::fractalNoise({p.x() / 1.1f, p.y() / 1.1f, 0}, seed_ + 4, 2);
   return felt_ * (1 + 0.10f * cloud + 0.12f * fibre);
 }
 
@@ -100,4 +101,4 @@ float BoardSurface::brightness(const Eigen::Vector2f& p) const {
   return pixels_[static_cast<std::size_t>(y) * columns_ + x] > 127 ? kPaper : kInk;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

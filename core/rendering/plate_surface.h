@@ -6,7 +6,7 @@
 #include "rendering/lighting.h"
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 enum class PlateColor { Dark, Grey, Light, White };
 
@@ -53,4 +53,4 @@ class BoardSurface {
   std::vector<std::uint8_t> pixels_;
 };
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 using Eigen::Vector3f;
@@ -104,9 +104,9 @@ Vector3f label(const Vector3f& p, std::uint32_t seed) {
   const float height = (line - std::floor(line) - 0.5f) * 7;
   const bool row = line > 0 && line < 3 && std::abs(p.x()) < size.x() / 2 - 4;
   const auto number = static_cast<float>(std::floor(line));
-  const float pen = 1.6f * noise({p.x() / 1.1f, number * 7, 0}, seed) +
-                    0.8f * noise({p.x() / 0.5f, number * 7, 5}, seed);
-  const bool word = noise({p.x() / 6, number * 3, 9}, seed) > -0.25f;
+  const float pen = 1.6f * vessels::noise({p.x() / 1.1f, number * 7, 0}, seed) +
+                    0.8f * vessels::noise({p.x() / 0.5f, number * 7, 5}, seed);
+  const bool word = vessels::noise({p.x() / 6, number * 3, 9}, seed) > -0.25f;
   return row && word && std::abs(height - 1.3f * pen) < 0.35f ? Vector3f(0.03f, 0.03f, 0.07f)
                                                               : Vector3f(0.66f, 0.60f, 0.46f);
 }
@@ -135,7 +135,7 @@ Eigen::Vector3d propSize(PropKind kind) {
   return {10, 10, 1};
 }
 
-Prop makeProp(PropKind kind, const Eigen::Isometry3d& plate_from_prop, Random& random) {
+Prop makeProp(PropKind kind, const Eigen::Isometry3d& plate_from_prop, vessels::Random& random) {
   Prop prop;
   prop.kind = kind;
   prop.plate_from_prop = plate_from_prop;
@@ -176,4 +176,4 @@ Eigen::Vector3f Prop::albedo(const Eigen::Vector3f& p_plate) const {
   return body;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

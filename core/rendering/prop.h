@@ -5,7 +5,7 @@
 #include "cloud/point_cloud.h"
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 enum class PropKind { ScaleBar, Label, ColorCard, Pencil };
 inline constexpr int kPropKinds = 4;
@@ -24,6 +24,6 @@ struct Prop {
 
 /// Width, depth and height, mm; the origin is in the middle of what it lies on.
 Eigen::Vector3d propSize(PropKind kind);
-Prop makeProp(PropKind kind, const Eigen::Isometry3d& plate_from_prop, Random& random);
+Prop makeProp(PropKind kind, const Eigen::Isometry3d& plate_from_prop, vessels::Random& random);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

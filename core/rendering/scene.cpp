@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 // Embree, Wald et al., SIGGRAPH 2014. One building thread: the same tree, so the same ties.
 struct Scene::Tracer {
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-Scene::Scene(const std::vector<VirtualSherd>& sherds,
+Scene::Scene(const std::vector<vessels::VirtualSherd>& sherds,
              const std::vector<Eigen::Isometry3d>& plate_from_model, std::vector<Prop> props)
     : sherds_(sherds),
       poses_(plate_from_model),
@@ -79,4 +79,4 @@ bool Scene::blocked(const Eigen::Vector3f& o, const Eigen::Vector3f& d, float re
   return ray.tfar < 0;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

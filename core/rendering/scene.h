@@ -6,7 +6,7 @@
 #include "rendering/prop.h"
 #include "vessels/sherd.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// mm off a surface, so that a ray does not meet its own triangle.
 inline constexpr float kLift = 0.03f;
@@ -23,7 +23,7 @@ class Scene {
   };
 
   /// plate_from_model: one pose per sherd.
-  Scene(const std::vector<VirtualSherd>& sherds,
+  Scene(const std::vector<vessels::VirtualSherd>& sherds,
         const std::vector<Eigen::Isometry3d>& plate_from_model, std::vector<Prop> props = {});
   ~Scene();
   Scene(const Scene&) = delete;
@@ -33,7 +33,7 @@ class Scene {
   /// Anything within `reach` times the direction's length.
   bool blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float reach) const;
 
-  const std::vector<VirtualSherd>& sherds() const { return sherds_; }
+  const std::vector<vessels::VirtualSherd>& sherds() const { return sherds_; }
   const std::vector<Prop>& props() const { return props_; }
   int bodies() const { return static_cast<int>(sherds_.size() + props_.size()); }
   bool isSherd(int body) const { return body < static_cast<int>(sherds_.size()); }
@@ -52,7 +52,7 @@ class Scene {
 
  private:
   struct Tracer;
-  const std::vector<VirtualSherd>& sherds_;
+  const std::vector<vessels::VirtualSherd>& sherds_;
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<Prop> props_;
   std::vector<std::vector<Eigen::Vector3f>> vertices_, normals_;
@@ -62,4 +62,4 @@ class Scene {
 /// Unit normals per vertex, weighted by the triangles' areas.
 std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 constexpr int kSteps = 4096;  // of brightness: finer than 1/8 of an 8-bit step at the dark end
@@ -137,10 +137,10 @@ cv::Mat develop(std::vector<float>& linear, int width, int height, const Sensor&
   const auto shot = static_cast<float>(sensor.shot_noise),
              read = static_cast<float>(sensor.read_noise * sensor.read_noise);
   for (std::size_t i = 0; i < linear.size() / 3; ++i) {
-    const std::uint64_t h = mixed(seed + 1, i);
+    const std::uint64_t h = vessels::mixed(seed + 1, i);
     for (int c = 0; c < 3; ++c) {
       float& v = linear[3 * i + c];
-      const float noise = quickNormal(mixed(h + static_cast<std::uint64_t>(c)));
+      const float noise = vessels::quickNormal(vessels::mixed(h + static_cast<std::uint64_t>(c)));
       v = encoded(v + std::sqrt(shot * v + read) * noise, table);
     }
   }
@@ -157,4 +157,4 @@ cv::Mat develop(std::vector<float>& linear, int width, int height, const Sensor&
   return image;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -3,7 +3,7 @@
 
 #include "rendering/photograph.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// Automatic exposure and white balance. Returns the gain of exposure; 1 without exposure_aim.
 double expose(std::vector<float>& linear, int width, int height, const Sensor& sensor);
@@ -13,4 +13,4 @@ double expose(std::vector<float>& linear, int width, int height, const Sensor& s
 cv::Mat develop(std::vector<float>& linear, int width, int height, const Sensor& sensor,
                 std::uint64_t seed);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

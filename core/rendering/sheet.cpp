@@ -7,7 +7,7 @@
 
 #include "files/json.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 constexpr const char* kDictionary = "DICT_5X5_100";
@@ -68,7 +68,7 @@ Result<void> writeSheet(const std::filesystem::path& file, const batch::Plate& p
                           {"markers", markers}});
 }
 
-SheetSurface::SheetSurface(SheetSize size, double bend_mm, Random& random)
+SheetSurface::SheetSurface(SheetSize size, double bend_mm, vessels::Random& random)
     : plate_(sheetPlate(size)),
       half_(plate_.sheet->max().cast<float>()),
       blank_(half_ -
@@ -178,4 +178,4 @@ Eigen::Isometry3d restingOn(const SheetSurface& sheet, const Eigen::Isometry3d& 
   return out;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

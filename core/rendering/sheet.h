@@ -8,7 +8,7 @@
 #include "rendering/lighting.h"
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// A printed sheet: markers of DICT_5X5_100 round its border, 20 mm, tops along +y, ids from 0
 /// clockwise from the upper left. Origin in the middle of the paper.
@@ -19,7 +19,7 @@ Result<void> writeSheet(const std::filesystem::path& file, const batch::Plate& p
 /// The sheet as it lies there: paper, print, and how it bends.
 class SheetSurface final : public Ground {
  public:
-  SheetSurface(SheetSize size, double bend_mm, Random& random);
+  SheetSurface(SheetSize size, double bend_mm, vessels::Random& random);
 
   const batch::Plate& plate() const { return plate_; }
   bool holds(const Eigen::Vector2f& p) const {
@@ -55,4 +55,4 @@ class SheetSurface final : public Ground {
 Eigen::Isometry3d restingOn(const SheetSurface& sheet, const Eigen::Isometry3d& pose,
                             const std::vector<Eigen::Vector3f>& vertices_model);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

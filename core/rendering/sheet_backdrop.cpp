@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 constexpr float kFloor = -740;      // mm: a table's height
 constexpr float kPaper_mm = 0.12f;  // thickness
 
-const Gloss kToner{0.6f, 0.34f};  // laser print shines a little
+const vessels::Gloss kToner{0.6f, 0.34f};  // laser print shines a little
 
 Eigen::Vector3f at(const Ray& r, float z) {
   return r.origin + (z - r.origin.z()) / r.direction.z() * r.direction;
@@ -47,8 +47,8 @@ bool SheetBackdrop::onSheet(const Ray& r, Eigen::Vector3f& p) const {
 }
 
 Eigen::Vector3f SheetBackdrop::lit(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-                                   const Ray& r, const Eigen::Vector3f& albedo, const Gloss& gloss,
-                                   std::uint64_t hash) const {
+                                   const Ray& r, const Eigen::Vector3f& albedo,
+                                   const vessels::Gloss& gloss, std::uint64_t hash) const {
   LightField::Shares shares;
   Eigen::Vector3f irradiance;
   plateLight(light_, ambient_, p.head<2>(), shares, irradiance);
@@ -56,13 +56,13 @@ Eigen::Vector3f SheetBackdrop::lit(const Eigen::Vector3f& p, const Eigen::Vector
     for (int l = 0; l < kLights; ++l)
       if (lighting_.lights[l].hard && !lighting_.lights[l].strength.isZero())
         shares[l] = seesLight(scene_, lighting_.lights[l], p + kLift * normal,
-                              mixed(hash, static_cast<std::uint64_t>(l)));
+                              vessels::mixed(hash, static_cast<std::uint64_t>(l)));
   Eigen::Vector3f light =
       albedo.cwiseProduct(irradiance + directLight(lighting_, p, normal, shares));
   if (gloss.weight <= 0) return light;
   const Eigen::Vector3f to_eye = -r.direction.normalized();
   return light + highlights(lighting_, p, normal, to_eye, shares, gloss) +
-         gloss.weight * fresnel(normal.dot(to_eye)) * 0.6f * lighting_.sky;
+         gloss.weight * vessels::fresnel(normal.dot(to_eye)) * 0.6f * lighting_.sky;
 }
 
 Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
@@ -72,7 +72,7 @@ Eigen::Vector3f SheetBackdrop::light(const Ray& r, std::uint64_t hash) const {
     const Eigen::Vector2f slope = sheet_.slope(p.head<2>());
     const Eigen::Vector3f normal = Eigen::Vector3f(-slope.x(), -slope.y(), 1).normalized();
     const Eigen::Vector3f albedo = sheet_.albedo(p.head<2>());
-    return lit(p, normal, r, albedo, albedo.y() < 0.2f ? kToner : Gloss{}, hash);
+    return lit(p, normal, r, albedo, albedo.y() < 0.2f ? kToner : vessels::Gloss{}, hash);
   }
   p = at(r, 0);
   if (!table_.holds(p.head<2>())) return beyond(r);
@@ -100,4 +100,4 @@ Eigen::Vector3f SheetBackdrop::beyond(const Ray& r) const {
   return table_.floor(p.head<2>()).cwiseProduct(open) * (0.8f * lit);
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

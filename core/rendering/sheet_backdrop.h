@@ -4,7 +4,7 @@
 #include "rendering/table.h"
 #include "vessels/gloss.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// Sheet and table as light falls on them and comes back from them.
 class SheetGround final : public Ground {
@@ -33,7 +33,8 @@ class SheetBackdrop final : public Backdrop {
   bool onSheet(const Ray& ray, Eigen::Vector3f& p) const;
   /// Light of a place on the ground, with shadows and what it mirrors.
   Eigen::Vector3f lit(const Eigen::Vector3f& p, const Eigen::Vector3f& normal, const Ray& ray,
-                      const Eigen::Vector3f& albedo, const Gloss& gloss, std::uint64_t hash) const;
+                      const Eigen::Vector3f& albedo, const vessels::Gloss& gloss,
+                      std::uint64_t hash) const;
   Eigen::Vector3f beyond(const Ray& ray) const;
 
   const Scene& scene_;
@@ -45,4 +46,4 @@ class SheetBackdrop final : public Backdrop {
   bool hard_ = false;
 };
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 using Eigen::Vector2f;
@@ -29,7 +29,7 @@ const std::array<Vector3f, 4> kFloors{Vector3f(0.34f, 0.33f, 0.31f), Vector3f(0.
 constexpr float kMatX = 225, kMatY = 160;  // mm, half of a cutting mat for A3
 
 template <std::size_t N>
-Vector3f chosen(const std::array<Vector3f, N>& from, Random& random) {
+Vector3f chosen(const std::array<Vector3f, N>& from, vessels::Random& random) {
   Vector3f color = from[static_cast<std::size_t>(random.below(static_cast<int>(N)))];
   color *= static_cast<float>(random.uniform(0.85, 1.15));
   for (int c = 0; c < 3; ++c) color[c] *= static_cast<float>(random.uniform(0.94, 1.06));
@@ -38,7 +38,7 @@ Vector3f chosen(const std::array<Vector3f, N>& from, Random& random) {
 
 }  // namespace
 
-TableSurface::TableSurface(TableKind kind, Random& random)
+TableSurface::TableSurface(TableKind kind, vessels::Random& random)
     : kind_(kind), seed_(static_cast<std::uint32_t>(random.next())) {
   const double turn = kind == TableKind::CuttingMat ? random.uniform(-0.1, 0.1)
                                                     : random.uniform(0, 2 * std::numbers::pi);
@@ -98,15 +98,16 @@ Vector3f TableSurface::albedo(const Vector2f& p) const {
 Vector3f TableSurface::wood(const Vector2f& q) const {
   const float plank = std::floor(q.y() / period_mm_);
   const auto number = static_cast<std::uint32_t>(static_cast<int>(plank) + 1000);
-  const std::uint32_t h = cellHash(static_cast<int>(number), 1, 2, seed_);
+  const std::uint32_t h = vessels::cellHash(static_cast<int>(number), 1, 2, seed_);
   const float v = q.y() - plank * period_mm_, gap = std::min(v, period_mm_ - v);
   const float u = q.x() + static_cast<float>(h & 0x3FF), w = v + 40 * static_cast<float>(number);
   const std::uint32_t s = seed_ + number;
-  const float ring =
-      0.11f * w + 1.5f * noise({u / 170, w / 45, 3}, s) + 0.35f * noise({u / 40, w / 9, 5}, s);
+  const float ring = 0.11f * w + 1.5f * vessels::noise({u / 170, w / 45, 3}, s) +
+                     0.35f * vessels::noise({u / 40, w / 9, 5}, s);
   const float late = ring - std::floor(ring);  // early wood is light, late wood dark, then a step
-  const float streaks = fractalNoise({u / 55, w / 1.3f, 9}, s + 1, 3);
-  const float pores = smoothStep(0.35f, 0.8f, noise({u / 7, w / 0.45f, 11}, s + 2));
+  const float streaks = vessels::fractalNoise({u / 55, w / 1.3f, 9}, s + 1, 3);
+  const float pores =
+      vessels::smoothStep(0.35f, 0.8f, vessels::noise({u / 7, w / 0.45f, 11}, s + 2));
   const float tone = 0.9f + 0.2f * static_cast<float>(h >> 20) / 4096.f;
   Vector3f color = body_ * (tone * (1 + 0.16f * streaks - 0.16f * late * late - 0.22f * pores));
   color.z() *= 1 - 0.08f * late;
@@ -126,19 +127,19 @@ Vector3f TableSurface::cloth(const Vector2f& q) const {
   const bool over = (static_cast<int>(std::floor(x)) + static_cast<int>(std::floor(y))) % 2 == 0;
   const float across = over ? x - std::floor(x) : y - std::floor(y);
   const float round = 1 - 1.6f * (across - 0.5f) * (across - 0.5f);
-  const float folds = 0.16f * fractalNoise({q.x() / 90, q.y() / 60, 1}, seed_, 2);
-  const float lint = 0.1f * noise({q.x() / 2.f, q.y() / 2.f, 4}, seed_ + 3);
+  const float folds = 0.16f * vessels::fractalNoise({q.x() / 90, q.y() / 60, 1}, seed_, 2);
+  const float lint = 0.1f * vessels::noise({q.x() / 2.f, q.y() / 2.f, 4}, seed_ + 3);
   return color * (round * (1 + folds + lint));
 }
 
 // Grains of feldspar, quartz and mica.
 Vector3f TableSurface::granite(const Vector2f& q) const {
-  const float coarse = fractalNoise({q.x() / 4.5f, q.y() / 4.5f, 0}, seed_, 3),
-              fine = fractalNoise({q.x() / 1.6f, q.y() / 1.6f, 3}, seed_ + 1, 2);
+  const float coarse = vessels::fractalNoise({q.x() / 4.5f, q.y() / 4.5f, 0}, seed_, 3),
+              fine = vessels::fractalNoise({q.x() / 1.6f, q.y() / 1.6f, 3}, seed_ + 1, 2);
   Vector3f color = body_ * (1 + 0.35f * coarse);
-  color += smoothStep(0.3f, 0.45f, coarse + 0.4f * fine) * (Vector3f(0.52f, 0.50f, 0.47f) - color) *
-           0.75f;
-  color += smoothStep(0.28f, 0.4f, fine - 0.35f * coarse) *
+  color += vessels::smoothStep(0.3f, 0.45f, coarse + 0.4f * fine) *
+           (Vector3f(0.52f, 0.50f, 0.47f) - color) * 0.75f;
+  color += vessels::smoothStep(0.28f, 0.4f, fine - 0.35f * coarse) *
            (Vector3f(0.03f, 0.03f, 0.032f) - color) * 0.85f;
   return color.cwiseMax(0.01f);
 }
@@ -146,8 +147,8 @@ Vector3f TableSurface::granite(const Vector2f& q) const {
 Vector3f TableSurface::cuttingMat(const Vector2f& q) const {
   if (std::abs(q.x()) > kMatX || std::abs(q.y()) > kMatY) return wood(q);
   const float border = std::min(kMatX - std::abs(q.x()), kMatY - std::abs(q.y()));
-  const float worn = 1 + 0.08f * fractalNoise({q.x() / 30, q.y() / 30, 0}, seed_, 3) +
-                     0.05f * noise({q.x() / 0.8f, q.y() / 0.8f, 2}, seed_ + 1);
+  const float worn = 1 + 0.08f * vessels::fractalNoise({q.x() / 30, q.y() / 30, 0}, seed_, 3) +
+                     0.05f * vessels::noise({q.x() / 0.8f, q.y() / 0.8f, 2}, seed_ + 1);
   const auto near = [&](float period, float width) {
     return border > 9 && (std::abs(std::remainder(q.x(), period)) < width / 2 ||
                           std::abs(std::remainder(q.y(), period)) < width / 2);
@@ -157,7 +158,7 @@ Vector3f TableSurface::cuttingMat(const Vector2f& q) const {
 }
 
 Vector3f TableSurface::floor(const Vector2f& p) const {
-  return floor_ * (1 + 0.15f * fractalNoise({p.x() / 400, p.y() / 400, 0}, seed_ + 9, 2));
+  return floor_ * (1 + 0.15f * vessels::fractalNoise({p.x() / 400, p.y() / 400, 0}, seed_ + 9, 2));
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

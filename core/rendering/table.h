@@ -6,18 +6,18 @@
 #include "vessels/gloss.h"
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 
 /// The table that a sheet lies on, and what is seen beyond its edges.
 class TableSurface {
  public:
-  TableSurface(TableKind kind, Random& random);
+  TableSurface(TableKind kind, vessels::Random& random);
 
   /// p: in the sheet's frame, mm.
   bool holds(const Eigen::Vector2f& p) const;
   Eigen::Vector3f albedo(const Eigen::Vector2f& p) const;
   Eigen::Vector3f meanAlbedo() const { return mean_; }
-  const Gloss& gloss() const { return gloss_; }
+  const vessels::Gloss& gloss() const { return gloss_; }
   /// Linear albedo of the floor at a point on it.
   Eigen::Vector3f floor(const Eigen::Vector2f& p) const;
   Eigen::Vector3f wall() const { return wall_; }
@@ -35,7 +35,7 @@ class TableSurface {
   Eigen::Vector2f low_, high_;  // the table's corners
   Eigen::Vector3f body_, second_, mean_, floor_, wall_;
   float period_mm_;  // of planks, checks
-  Gloss gloss_;
+  vessels::Gloss gloss_;
 };
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

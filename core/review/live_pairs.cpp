@@ -21,7 +21,7 @@
 #include "rig/camera.h"
 #include "scan/fracture.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,7 +153,7 @@ LiveFit shownAt(const Strip& front, const Strip& back, const Isometry3d& pose) {
 
 struct LivePairs::State {
   fs::path output;
-  CandidateTable table;
+  decisions::CandidateTable table;
   std::vector<rig::PosedImage> images;                    ///< backs brought to the fronts' size
   mutable std::map<std::pair<Side, int>, Opened> opened;  ///< all keys there from the start
   mutable std::mutex photographs_mutex;
@@ -231,7 +231,7 @@ struct LivePairs::State {
     Result<cv::Mat> picture = batch::readPhotograph(image->file);
     if (!picture) return picture.error();
     Photograph photograph{std::move(*picture), {}, *image};
-    const fs::path masks = output / "work" / maskFolder(output, side);
+    const fs::path masks = output / "work" / decisions::maskFolder(output, side);
     if (Result<cv::Mat> mask = batch::readMask(masks / maskName(*image)))
       photograph.mask = std::move(*mask);
     return photograph;
@@ -241,7 +241,7 @@ struct LivePairs::State {
 LivePairs::LivePairs(std::unique_ptr<State> state) : state_(std::move(state)) {}
 LivePairs::~LivePairs() = default;
 
-const CandidateTable& LivePairs::table() const {
+const decisions::CandidateTable& LivePairs::table() const {
   return state_->table;
 }
 const fs::path& LivePairs::output() const {
@@ -251,7 +251,7 @@ const fs::path& LivePairs::output() const {
 Result<std::shared_ptr<const LivePairs>> LivePairs::open(const fs::path& output) {
   auto state = std::make_unique<State>();
   state->output = output;
-  Result<CandidateTable> table = readCandidatesOf(output);
+  Result<decisions::CandidateTable> table = decisions::readCandidatesOf(output);
   if (!table) return table.error();
   state->table = std::move(*table);
   const fs::path cameras = output / "work" / "rig" / "cameras.json";
@@ -262,8 +262,8 @@ Result<std::shared_ptr<const LivePairs>> LivePairs::open(const fs::path& output)
     state->images = std::move(*images);
   }
   for (rig::PosedImage& image : state->images)
-    image.file = photographNow(image.file, output).string();
-  resizeSide(state->images, Side::Back, state->table.back_scale);
+    image.file = batch::photographNow(image.file, output).string();
+  pipeline::resizeSide(state->images, Side::Back, state->table.back_scale);
   for (std::size_t i = 0; i < state->table.fronts.size(); ++i)
     state->opened[{Side::Front, static_cast<int>(i)}];
   for (std::size_t i = 0; i < state->table.backs.size(); ++i)
@@ -321,23 +321,24 @@ Result<LiveFit> LivePairs::atStartPoint(int front, int back, int shift) const {
   return fit;
 }
 
-Result<RegisteredCandidate> LivePairs::compared(int front, int back, std::stop_token stop) const {
-  if (const RegisteredCandidate* known = state_->table.find(front, back)) return *known;
+Result<decisions::RegisteredCandidate> LivePairs::compared(int front, int back,
+                                                           std::stop_token stop) const {
+  if (const decisions::RegisteredCandidate* known = state_->table.find(front, back)) return *known;
   const Result<const scan::Scan*> f = state_->scanOf(Side::Front, front);
   if (!f) return f.error();
   const Result<const scan::Scan*> b = state_->scanOf(Side::Back, back);
   if (!b) return b.error();
-  PairOptions options;
+  decisions::PairOptions options;
   options.threads = options.candidates.threads = 1;
   options.candidates.reach = 1e9;  // a person asks for this pair
   const bool plate = state_->table.on_plate;
   QuietProgress quiet;
-  Result<CandidateTable> table =
-      compareSides({*f, 1}, {*b, 1}, {{}, {}, plate, plate}, options, quiet, stop);
+  Result<decisions::CandidateTable> table =
+      decisions::compareSides({*f, 1}, {*b, 1}, {{}, {}, plate, plate}, options, quiet, stop);
   if (!table) return table.error();
   if (table->candidates.empty())
     return Error{ErrorCode::NotEnough, "The outlines of these two sides cannot be overlaid.", {}};
-  RegisteredCandidate found = std::move(table->candidates.front());
+  decisions::RegisteredCandidate found = std::move(table->candidates.front());
   found.evidence.front = front;
   found.evidence.back = back;
   return found;
@@ -468,7 +469,7 @@ Result<ScanCloud> LivePairs::cloud(Side side, int scan, std::size_t most_points)
   return out;
 }
 
-Isometry3d movedByHand(const Isometry3d& front_from_back, const ScanRef& back,
+Isometry3d movedByHand(const Isometry3d& front_from_back, const decisions::ScanRef& back,
                        const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm) {
   const Eigen::Vector3d pivot =
       front_from_back * Eigen::Vector3d(back.place_mm.x(), back.place_mm.y(), 0);
@@ -480,7 +481,7 @@ Isometry3d movedByHand(const Isometry3d& front_from_back, const ScanRef& back,
   return change * front_from_back;
 }
 
-Eigen::Vector2d onBackPlate(const Isometry3d& front_from_back, const ScanRef& back,
+Eigen::Vector2d onBackPlate(const Isometry3d& front_from_back, const decisions::ScanRef& back,
                             const Eigen::Vector2d& shown_mm) {
   const double height =
       (front_from_back * Eigen::Vector3d(back.place_mm.x(), back.place_mm.y(), 0)).z();
@@ -492,4 +493,4 @@ double length_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return (to - from).norm();
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -13,7 +13,7 @@
 #include "registration/pose_figures.h"
 #include "review/orthophoto.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 
 /// Two sides at a pose, with its figures.
 struct LiveFit {
@@ -55,7 +55,7 @@ class LivePairs {
   static Result<std::shared_ptr<const LivePairs>> open(const std::filesystem::path& output);
   ~LivePairs();
 
-  const CandidateTable& table() const;
+  const decisions::CandidateTable& table() const;
   const std::filesystem::path& output() const;
 
   /// The registration goes on from a pose (strip, outlines, rest on the plate). About 0.2 s.
@@ -69,7 +69,7 @@ class LivePairs {
   Result<LiveFit> atStartPoint(int front, int back, int shift) const;
   /// Outlines, then fractures: for a pair that the program did not compare. shifts: its start
   /// points.
-  Result<RegisteredCandidate> compared(int front, int back, std::stop_token stop) const;
+  Result<decisions::RegisteredCandidate> compared(int front, int back, std::stop_token stop) const;
   /// The backs by how well their outlines fit this front's, best first.
   Result<std::vector<int>> likeliestBacks(int front, Progress& progress,
                                           std::stop_token stop) const;
@@ -93,15 +93,16 @@ class LivePairs {
 };
 
 /// A pose turned and moved by hand: about the back's middle, in the front's frame.
-Eigen::Isometry3d movedByHand(const Eigen::Isometry3d& front_from_back, const ScanRef& back,
-                              const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
+Eigen::Isometry3d movedByHand(const Eigen::Isometry3d& front_from_back,
+                              const decisions::ScanRef& back, const Eigen::Vector3d& turn_rad,
+                              const Eigen::Vector3d& move_mm);
 
 /// A point of the back as the screen shows it (front's frame, seen through the front), on the
 /// back's own plate: for a cut that is drawn on its photograph.
-Eigen::Vector2d onBackPlate(const Eigen::Isometry3d& front_from_back, const ScanRef& back,
-                            const Eigen::Vector2d& shown_mm);
+Eigen::Vector2d onBackPlate(const Eigen::Isometry3d& front_from_back,
+                            const decisions::ScanRef& back, const Eigen::Vector2d& shown_mm);
 
 /// The length of a line that a person drew in the 3D view.
 double length_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -9,7 +9,7 @@
 #include "files/json.h"
 #include "review/review.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 // Found so far. orders: per front all backs, the likeliest first, but those whose fractures cannot
 // be compared.
 struct Found {
-  CandidateTable table;
+  decisions::CandidateTable table;
   std::map<int, std::vector<int>> orders;
 };
 
@@ -36,7 +36,7 @@ Found kept(const LivePairs& live) {
   Found none;
   none.table = live.table();
   none.table.candidates.clear();
-  Result<CandidateTable> table = readCandidates(fileOf(live));
+  Result<decisions::CandidateTable> table = decisions::readCandidates(fileOf(live));
   const auto text = readJson(fileOf(live));
   if (!table || !text || text->value("pairs", nlohmann::json()) != pairsOf(live)) return none;
   Found found{std::move(*table), {}};
@@ -55,7 +55,7 @@ Found kept(const LivePairs& live) {
 
 Result<void> keep(const LivePairs& live, Found& found) {
   std::sort(found.table.candidates.begin(), found.table.candidates.end(),
-            [](const RegisteredCandidate& a, const RegisteredCandidate& b) {
+            [](const decisions::RegisteredCandidate& a, const decisions::RegisteredCandidate& b) {
               return std::pair(a.evidence.front, a.evidence.back) <
                      std::pair(b.evidence.front, b.evidence.back);
             });
@@ -69,9 +69,11 @@ Result<void> keep(const LivePairs& live, Found& found) {
 
 }  // namespace
 
-Result<std::optional<RegisteredCandidate>> nextCandidate(const LivePairs& live, int front,
-                                                         std::span<const int> known,
-                                                         Progress& progress, std::stop_token stop) {
+Result<std::optional<decisions::RegisteredCandidate>> nextCandidate(const LivePairs& live,
+                                                                    int front,
+                                                                    std::span<const int> known,
+                                                                    Progress& progress,
+                                                                    std::stop_token stop) {
   Found found = kept(live);
   if (!found.orders.contains(front)) {
     Result<std::vector<int>> order = live.likeliestBacks(front, progress, stop);
@@ -84,10 +86,10 @@ Result<std::optional<RegisteredCandidate>> nextCandidate(const LivePairs& live, 
     const auto next = std::find_if(order.begin(), order.end(), [&](int back) {
       return std::find(known.begin(), known.end(), back) == known.end();
     });
-    if (next == order.end()) return std::optional<RegisteredCandidate>();
-    if (const RegisteredCandidate* there = found.table.find(front, *next))
+    if (next == order.end()) return std::optional<decisions::RegisteredCandidate>();
+    if (const decisions::RegisteredCandidate* there = found.table.find(front, *next))
       return std::optional(*there);
-    Result<RegisteredCandidate> compared = live.compared(front, *next, stop);
+    Result<decisions::RegisteredCandidate> compared = live.compared(front, *next, stop);
     if (!compared && compared.error().code == ErrorCode::Cancelled) return compared.error();
     if (!compared) {
       order.erase(next);
@@ -122,4 +124,4 @@ Result<void> prepareCandidates(const fs::path& output, int wanted, Progress& pro
   return {};
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -5,7 +5,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 constexpr double kCell_mm = 1.0;    // two or three points in each cell
@@ -169,4 +169,4 @@ Picture pointPicture(const PointCloud& cloud, const Eigen::Isometry3d& frame_fro
   return picture;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -8,7 +8,7 @@
 #include "cloud/point_cloud.h"
 #include "rig/camera.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 
 /// A raster over a frame's x and y: the middle of pixel (column, row) lies at
 /// low_mm + px_mm * (column + 0.5, height - row - 0.5). Row 0 is on top: +y goes up.
@@ -46,4 +46,4 @@ Picture orthophoto(const cv::Mat& photograph, const cv::Mat1b& mask, const rig::
 Picture pointPicture(const PointCloud& cloud, const Eigen::Isometry3d& frame_from_cloud,
                      Facing facing, const PictureFrame& frame);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 using batch::Side;
@@ -34,17 +34,18 @@ MapMark markOf(const ReviewCard& card, const Review& review, Side side) {
 
 // A back that was set aside with its front is still of that front's sherd.
 std::string numberOfBackAside(int back, const LivePairs& live, const Review& review,
-                              const Decisions& standing) {
+                              const decisions::Decisions& standing) {
   std::string number;
-  for (const PairDecision& d : standing) {
-    if (d.kind != DecisionKind::Aside && d.kind != DecisionKind::Reshoot) continue;
+  for (const decisions::PairDecision& d : standing) {
+    if (d.kind != decisions::DecisionKind::Aside && d.kind != decisions::DecisionKind::Reshoot)
+      continue;
     const ReviewCard* card = nullptr;
     bool meant = false;
-    for (const ScanRef& ref : d.scans)
+    for (const decisions::ScanRef& ref : d.scans)
       if (ref.side == Side::Front)
-        card = review.ofFront(resolved(ref, live.table().fronts));
+        card = review.ofFront(decisions::resolved(ref, live.table().fronts));
       else
-        meant = meant || resolved(ref, live.table().backs) == back;
+        meant = meant || decisions::resolved(ref, live.table().backs) == back;
     if (meant) number = card == nullptr ? std::string() : card->number;
   }
   return number;
@@ -75,7 +76,7 @@ Result<MapSide> sideOf(const LivePairs& live, Side side, std::vector<MapMark> ma
 
 }  // namespace
 
-Result<PlateMap> plateMap(const LivePairs& live, const Decisions& standing) {
+Result<PlateMap> plateMap(const LivePairs& live, const decisions::Decisions& standing) {
   const Result<Review> review = reviewOf(live.table(), standing);
   if (!review) return review.error();
   std::vector<MapMark> fronts, backs;
@@ -102,4 +103,4 @@ Result<PlateMap> plateMap(const LivePairs& live, const Decisions& standing) {
   return PlateMap{std::move(*front), std::move(*back)};
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

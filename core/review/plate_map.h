@@ -6,7 +6,7 @@
 #include "review/live_pairs.h"
 #include "review/review.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 
 /// One sherd in the photograph of one side; of a joined one each part that lies apart.
 struct MapMark {
@@ -33,6 +33,6 @@ struct PlateMap {
 };
 
 /// As things stand with these decisions. Errors: Missing without cameras, those of reviewOf.
-Result<PlateMap> plateMap(const LivePairs& live, const Decisions& standing);
+Result<PlateMap> plateMap(const LivePairs& live, const decisions::Decisions& standing);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -7,7 +7,7 @@
 #include "files/json.h"
 #include "files/json_numbers.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 using pairing::Doubt;
@@ -34,10 +34,11 @@ double valueOf(const Registration& r) {
 
 // P(this back | front) from by how much the best assignment falls when the pair is forced; a front
 // that stays alone in it may also stay so.
-std::vector<double> chancesOf(const CandidateTable& table, const PairTable& free,
+std::vector<double> chancesOf(const decisions::CandidateTable& table,
+                              const decisions::PairTable& free,
                               const pairing::AssignOptions& options) {
   std::vector<pairing::Evidence> evidence;
-  for (const RegisteredCandidate& c : table.candidates) evidence.push_back(c.evidence);
+  for (const decisions::RegisteredCandidate& c : table.candidates) evidence.push_back(c.evidence);
   const Result<std::vector<double>> regret =
       pairing::regrets(evidence, static_cast<int>(table.fronts.size()),
                        static_cast<int>(table.backs.size()), options.lone_log_likelihood);
@@ -50,25 +51,27 @@ std::vector<double> chancesOf(const CandidateTable& table, const PairTable& free
   for (std::size_t i = 0; i < evidence.size(); ++i)
     chances[i] = std::exp(-(*regret)[i]) / totals[static_cast<std::size_t>(evidence[i].front)];
   // The assignment's own figure knows more (other poses of the same pair, staying alone).
-  for (const SherdPair& pair : free.pairs)
+  for (const decisions::SherdPair& pair : free.pairs)
     for (std::size_t i = 0; i < evidence.size(); ++i)
       if (evidence[i].front == pair.decision.front && evidence[i].back == pair.decision.back)
         chances[i] = pair.decision.score;
   return chances;
 }
 
-void nameRival(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
+void nameRival(ReviewCard& card, const decisions::SherdPair& pair,
+               const decisions::CandidateTable& table) {
   if (pair.decision.alternatives.empty()) return;
   const pairing::Alternative& rival = pair.decision.alternatives.front();
   if (rival.front == card.front)
     card.rival_back = rival.back;
   else
     card.rival_front = rival.front;
-  if (const RegisteredCandidate* c = table.find(rival.front, rival.back))
+  if (const decisions::RegisteredCandidate* c = table.find(rival.front, rival.back))
     card.rival_fracture_rms_mm = c->registration.fracture_rms_mm;
 }
 
-void pairUp(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
+void pairUp(ReviewCard& card, const decisions::SherdPair& pair,
+            const decisions::CandidateTable& table) {
   card.back = pair.decision.back;
   card.score = pair.decision.score;
   card.margin = pair.decision.margin;
@@ -111,12 +114,12 @@ bool among(const std::vector<int>& list, int i) {
 }
 
 // Who set a front aside, for the card.
-void nameDecision(ReviewCard& card, const CandidateTable& table, const Decisions& standing,
-                  DecisionKind kind) {
-  for (const PairDecision& d : standing) {
+void nameDecision(ReviewCard& card, const decisions::CandidateTable& table,
+                  const decisions::Decisions& standing, decisions::DecisionKind kind) {
+  for (const decisions::PairDecision& d : standing) {
     if (d.kind != kind) continue;
-    for (const ScanRef& ref : d.scans)
-      if (ref.side == batch::Side::Front && resolved(ref, table.fronts) == card.front) {
+    for (const decisions::ScanRef& ref : d.scans)
+      if (ref.side == batch::Side::Front && decisions::resolved(ref, table.fronts) == card.front) {
         card.decision = d.number;
         card.decided_by = d.by;
         card.decided_at = d.at;
@@ -126,7 +129,7 @@ void nameDecision(ReviewCard& card, const CandidateTable& table, const Decisions
 
 }  // namespace
 
-ReviewCandidate candidateOf(const RegisteredCandidate& c) {
+ReviewCandidate candidateOf(const decisions::RegisteredCandidate& c) {
   ReviewCandidate out;
   const Registration& r = c.registration;
   out.back = c.evidence.back;
@@ -171,13 +174,14 @@ const ReviewCard* Review::ofBack(int back) const {
   return nullptr;
 }
 
-Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) {
+Result<Review> reviewOf(const decisions::CandidateTable& table,
+                        const decisions::Decisions& standing) {
   pairing::AssignOptions options;
   options.max_alternatives = static_cast<int>(table.fronts.size() + table.backs.size());
-  const Settled settled = settledBy(standing, table);
-  const Result<PairTable> free = assigned(table, options);
+  const decisions::Settled settled = decisions::settledBy(standing, table);
+  const Result<decisions::PairTable> free = decisions::assigned(table, options);
   if (!free) return free.error();
-  const Result<PairTable> pairs = assigned(table, settled, options);
+  const Result<decisions::PairTable> pairs = decisions::assigned(table, settled, options);
   if (!pairs) return pairs.error();
   const std::vector<double> chances = chancesOf(table, *free, options);
 
@@ -189,7 +193,7 @@ Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) 
   for (std::size_t f = 0; f < table.fronts.size(); ++f) {
     ReviewCard card;
     card.front = static_cast<int>(f);
-    card.number = sherdNumber(table.fronts[f].id);
+    card.number = decisions::sherdNumber(table.fronts[f].id);
     for (std::size_t i = 0; i < table.candidates.size(); ++i) {
       if (table.candidates[i].evidence.front != card.front) continue;
       card.candidates.push_back(candidateOf(table.candidates[i]));
@@ -199,13 +203,14 @@ Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) 
         card.candidates.begin(), card.candidates.end(),
         [](const ReviewCandidate& a, const ReviewCandidate& b) { return a.score > b.score; });
     card.state = CardState::Alone;
-    for (const SherdPair& pair : pairs->pairs)
+    for (const decisions::SherdPair& pair : pairs->pairs)
       if (pair.decision.front == card.front) pairUp(card, pair, table);
     if (among(pairs->aside_front, card.front)) card.state = CardState::Aside;
     if (among(pairs->reshoot_front, card.front)) card.state = CardState::Reshoot;
-    if (card.state == CardState::Aside) nameDecision(card, table, standing, DecisionKind::Aside);
+    if (card.state == CardState::Aside)
+      nameDecision(card, table, standing, decisions::DecisionKind::Aside);
     if (card.state == CardState::Reshoot)
-      nameDecision(card, table, standing, DecisionKind::Reshoot);
+      nameDecision(card, table, standing, decisions::DecisionKind::Reshoot);
     review.cards.push_back(std::move(card));
   }
   std::stable_sort(review.cards.begin(), review.cards.end(),
@@ -217,14 +222,16 @@ Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) 
   return review;
 }
 
-bool onlyConfirm(const CandidateTable& table, const Decisions& decisions) {
+bool onlyConfirm(const decisions::CandidateTable& table, const decisions::Decisions& decisions) {
   if (decisions.empty()) return true;
   const Result<Review> free = reviewOf(table, {});
   if (!free) return false;
-  return std::all_of(decisions.begin(), decisions.end(), [&](const PairDecision& d) {
-    if (d.kind != DecisionKind::Pair || d.settle == Settle::AsGiven) return false;
-    const ReviewCard* card = free->ofFront(resolved(d.scans.at(0), table.fronts));
-    if (card == nullptr || card->back != resolved(d.scans.at(1), table.backs)) return false;
+  return std::all_of(decisions.begin(), decisions.end(), [&](const decisions::PairDecision& d) {
+    if (d.kind != decisions::DecisionKind::Pair || d.settle == decisions::Settle::AsGiven)
+      return false;
+    const ReviewCard* card = free->ofFront(decisions::resolved(d.scans.at(0), table.fronts));
+    if (card == nullptr || card->back != decisions::resolved(d.scans.at(1), table.backs))
+      return false;
     return !d.front_from_back || d.front_from_back->isApprox(card->front_from_back, 1e-6);
   });
 }
@@ -238,19 +245,20 @@ Result<void> computedToItsEnd(const std::filesystem::path& output) {
 }
 
 bool wantsComputing(const std::filesystem::path& output) {
-  if (masksWantComputing(output)) return true;
-  const Result<Decisions> decisions = readDecisions(output);
-  const Result<CandidateTable> table = readCandidatesOf(output);
+  if (decisions::masksWantComputing(output)) return true;
+  const Result<decisions::Decisions> decisions = decisions::readDecisions(output);
+  const Result<decisions::CandidateTable> table = decisions::readCandidatesOf(output);
   if (!decisions || !table) return false;
-  return !onlyConfirm(*table, changedSince(*decisions, followed(*decisions, output)));
+  return !onlyConfirm(*table,
+                      decisions::changedSince(*decisions, decisions::followed(*decisions, output)));
 }
 
 Result<Review> loadReview(const std::filesystem::path& output) {
-  const Result<CandidateTable> table = readCandidatesOf(output);
+  const Result<decisions::CandidateTable> table = decisions::readCandidatesOf(output);
   if (!table) return table.error();
-  const Result<Decisions> decisions = readDecisions(output);
+  const Result<decisions::Decisions> decisions = decisions::readDecisions(output);
   if (!decisions) return decisions.error();
-  return reviewOf(*table, standing(*decisions));
+  return reviewOf(*table, decisions::standing(*decisions));
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -5,7 +5,7 @@
 
 #include "decisions/decided_pairs.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 
 /// What a card of the review asks of a person.
 enum class CardState {
@@ -69,14 +69,15 @@ struct Review {
 };
 
 /// What a card shows of a candidate; its score is the review's to give.
-ReviewCandidate candidateOf(const RegisteredCandidate& candidate);
+ReviewCandidate candidateOf(const decisions::RegisteredCandidate& candidate);
 
 /// Milliseconds, for 60 sherds too. Errors: those of assigned().
-Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing);
+Result<Review> reviewOf(const decisions::CandidateTable& table,
+                        const decisions::Decisions& standing);
 
 /// These decisions say no more than the program does without any: nothing is to be computed for
 /// them.
-bool onlyConfirm(const CandidateTable& table, const Decisions& decisions);
+bool onlyConfirm(const decisions::CandidateTable& table, const decisions::Decisions& decisions);
 /// Missing while a batch is computed, and where that was stopped: its scans may be new already
 /// where its table is not, and a card would show another one's sherd.
 Result<void> computedToItsEnd(const std::filesystem::path& output);
@@ -88,4 +89,4 @@ bool wantsComputing(const std::filesystem::path& output);
 /// Both, and the decisions, for who asks once.
 Result<Review> loadReview(const std::filesystem::path& output);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -7,7 +7,7 @@
 #include "pipeline/chain.h"
 #include "rig/camera.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 
 Result<std::vector<stereo::View>> savedViews(const std::filesystem::path& out,
                                              const std::filesystem::path& batch, batch::Side side,
@@ -15,7 +15,7 @@ Result<std::vector<stereo::View>> savedViews(const std::filesystem::path& out,
   const Result<std::vector<rig::PosedImage>> images =
       rig::readCameras(out / "work" / "rig" / "cameras.json");
   if (!images) return images.error();
-  const std::string masks = maskFolder(out, side);
+  const std::string masks = decisions::maskFolder(out, side);
   std::vector<stereo::View> views;
   for (const rig::PosedImage& image : *images) {
     if (image.side != side) continue;
@@ -35,4 +35,4 @@ Result<std::vector<stereo::View>> savedViews(const std::filesystem::path& out,
   return views;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -11,7 +11,7 @@
 #include "paper/markup.h"
 #include "registration/within.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::scansets {
 namespace {
 
 using nlohmann::ordered_json;
@@ -47,8 +47,8 @@ std::string overlay(const PointCloud& front, const PointCloud& back, const Eigen
 }
 
 /// A slice of a millimetre around the middle, seen from the side: the wall and its two faces.
-std::string pictures(const scan::Scan& front, const scan::Scan& back, const SherdPair& pair,
-                     double mm) {
+std::string pictures(const scan::Scan& front, const scan::Scan& back,
+                     const decisions::SherdPair& pair, double mm) {
   PointCloud moved = back.cloud;
   for (Eigen::Vector3f& p : moved.points) p *= static_cast<float>(pair.registration.scale);
   moved = transformed(moved, pair.registration.front_from_back);
@@ -74,7 +74,7 @@ std::string listed(const std::vector<std::string>& words) {
   return words.empty() ? "none" : markupText(joined(words, ", "));
 }
 
-std::string html(const RegisterSummary& summary, const PairTable& table,
+std::string html(const RegisterSummary& summary, const decisions::PairTable& table,
                  std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs) {
   std::string page =
       "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Ostraka: registered "
@@ -138,7 +138,7 @@ ordered_json toJson(const RegisterSummary::Pair& pair) {
 }
 
 Result<void> writeRegisterReport(const std::filesystem::path& output,
-                                 const RegisterSummary& summary, const PairTable& table,
+                                 const RegisterSummary& summary, const decisions::PairTable& table,
                                  std::span<const scan::Scan> fronts,
                                  std::span<const scan::Scan> backs,
                                  const std::string& inputs_hash) {
@@ -161,4 +161,4 @@ Result<void> writeRegisterReport(const std::filesystem::path& output,
                                             {"seconds", summary.seconds}});
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::scansets

@@ -21,7 +21,7 @@
 #include "scan/fracture.h"
 #include "scansets/register_report.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::scansets {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,11 +50,11 @@ std::string numberOf(std::size_t i) {
   return digits.size() < 2 ? "0" + digits : digits;
 }
 
-RegisterSummary summaryOf(const PairTable& table, const ScanFolder& fronts,
-                          const ScanFolder& backs) {
+RegisterSummary summaryOf(const decisions::PairTable& table, const decisions::ScanFolder& fronts,
+                          const decisions::ScanFolder& backs) {
   RegisterSummary summary;
   for (std::size_t i = 0; i < table.pairs.size(); ++i) {
-    const SherdPair& pair = table.pairs[i];
+    const decisions::SherdPair& pair = table.pairs[i];
     summary.pairs.push_back(
         {numberOf(i), fronts.scans[static_cast<std::size_t>(pair.decision.front)].id,
          backs.scans[static_cast<std::size_t>(pair.decision.back)].id, pair.decision.score,
@@ -75,7 +75,7 @@ RegisterSummary summaryOf(const PairTable& table, const ScanFolder& fronts,
 }
 
 struct Paired {
-  PairTable table;
+  decisions::PairTable table;
   double mm = 1;  ///< RegisterSummary::mm
 };
 
@@ -86,7 +86,7 @@ std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double fact
 }
 
 /// From fronts that were brought to a usual size by the factor to their own unit.
-void bringBack(SherdPair& pair, double factor) {
+void bringBack(decisions::SherdPair& pair, double factor) {
   registration::Registration& found = pair.registration;
   found.front_from_back.translation() /= factor;
   for (double* length : {&found.fracture_rms_mm, &found.misfit_mm, &found.uncertainty_mm,
@@ -100,7 +100,7 @@ void bringBack(SherdPair& pair, double factor) {
 Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan> fronts,
                       std::span<const scan::Scan> backs, Progress& progress, std::stop_token stop) {
   constexpr double kUsual_mm = 45;
-  PairOptions pair_options;
+  decisions::PairOptions pair_options;
   pair_options.candidates.method = options.pairing;
   pair_options.candidates.threads = options.threads;
   pair_options.threads = options.threads;
@@ -113,7 +113,7 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
     scale = *found;
     progress.note(NoteLevel::Info, "pairing: the fronts are " + std::to_string(scale) +
                                        " times the size of the backs");
-    if (const double length = medianLength(fronts); !isSherdLength(length)) {
+    if (const double length = decisions::medianLength(fronts); !decisions::isSherdLength(length)) {
       factor = kUsual_mm / length;
       progress.note(NoteLevel::Warning,
                     "The fronts are not in mm: lengths in the result, although labelled mm, are in "
@@ -125,11 +125,12 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
     backs = sized_backs;
   }
   registration::Constraints constraints;
-  constraints.front_on_plate = standOnPlate(fronts);
-  constraints.back_on_plate = standOnPlate(backs);
-  Result<PairTable> table = pairSides(fronts, backs, constraints, pair_options, progress, stop);
+  constraints.front_on_plate = decisions::standOnPlate(fronts);
+  constraints.back_on_plate = decisions::standOnPlate(backs);
+  Result<decisions::PairTable> table =
+      decisions::pairSides(fronts, backs, constraints, pair_options, progress, stop);
   if (!table) return table.error();
-  for (SherdPair& pair : table->pairs) {
+  for (decisions::SherdPair& pair : table->pairs) {
     pair.registration.scale = scale;
     bringBack(pair, factor);
   }
@@ -160,35 +161,38 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
   const auto begin = std::chrono::steady_clock::now();
   if (const Result<void> valid = options.check(); !valid) return valid.error();
   progress.begin("pairs", 0.97);
-  const Result<ScanFolder> fronts = readScanFolder(options.front, options.threads);
+  const Result<decisions::ScanFolder> fronts =
+      decisions::readScanFolder(options.front, options.threads);
   if (!fronts) return fronts.error();
-  const Result<ScanFolder> backs = readScanFolder(options.back, options.threads);
+  const Result<decisions::ScanFolder> backs =
+      decisions::readScanFolder(options.back, options.threads);
   if (!backs) return backs.error();
-  for (const ScanFolder* side : {&*fronts, &*backs})
+  for (const decisions::ScanFolder* side : {&*fronts, &*backs})
     for (const std::string& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
   if (options.scale == pairing::Scale::Fixed) {
-    const Result<void> unit = checkUnit(*fronts, *backs, "export them in mm, or use --scale free");
+    const Result<void> unit =
+        decisions::checkUnit(*fronts, *backs, "export them in mm, or use --scale free");
     if (!unit) return unit.error();
   }
   const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
-  const Result<FolderLock> held = claimOutput(options.output, inputs_hash);
+  const Result<FolderLock> held = pipeline::claimOutput(options.output, inputs_hash);
   if (!held) return held.error();
-  withdrawResults(options.output);
+  pipeline::withdrawResults(options.output);
   std::error_code ignored;
   fs::remove_all(options.output / "sherds", ignored);
 
-  WarningsKept kept(progress);
+  pipeline::WarningsKept kept(progress);
   const Result<Paired> found = paired(options, fronts->scans, backs->scans, kept, stop);
   if (!found) return found.error();
-  const PairTable* table = &found->table;
-  if (!held->stands()) return outputGone(options.output);
+  const decisions::PairTable* table = &found->table;
+  if (!held->stands()) return pipeline::outputGone(options.output);
 
   RegisterSummary summary = summaryOf(*table, *fronts, *backs);
   summary.mm = found->mm;
   summary.warnings.insert(summary.warnings.end(), kept.warnings.begin(), kept.warnings.end());
   for (std::size_t i = 0; i < table->pairs.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
-    const SherdPair& pair = table->pairs[i];
+    const decisions::SherdPair& pair = table->pairs[i];
     const PointCloud merged =
         mergedCloud(fronts->scans[static_cast<std::size_t>(pair.decision.front)],
                     backs->scans[static_cast<std::size_t>(pair.decision.back)], pair.registration);
@@ -206,10 +210,10 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
     return wrote.error();
   }
   if (!held->stands()) {
-    leaveGoneOutput(options.output);
-    return outputGone(options.output);
+    pipeline::leaveGoneOutput(options.output);
+    return pipeline::outputGone(options.output);
   }
   return summary;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::scansets

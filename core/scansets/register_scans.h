@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "pairing/candidates.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::scansets {
 
 struct RegisterOptions {
   std::filesystem::path front, back;  ///< folders of *.ply, one scan each; opened for reading only
@@ -50,4 +50,4 @@ struct RegisterSummary {
 Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& progress,
                                       std::stop_token stop);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::scansets

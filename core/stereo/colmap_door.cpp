@@ -49,7 +49,7 @@ Result<PointCloud> reconstructWithColmap(std::span<const View> views, const Dens
   if (const Result<void> r = writeStereoFolder(folder, views.size()); !r) return r.error();
   progress.report(1, 10);
   progress.note(NoteLevel::Info, "stereo: COLMAP's patch_match_stereo");
-  if (const Result<void> r = rig::runProgram(
+  if (const Result<void> r = colmap::runProgram(
           *program,
           {"patch_match_stereo", "--workspace_path", folder.string(), "--workspace_format",
            "COLMAP", "--PatchMatchStereo.geom_consistency", "true"},
@@ -66,7 +66,7 @@ Result<PointCloud> reconstructWithColmap(std::span<const View> views, const Dens
   progress.note(NoteLevel::Info, "stereo: COLMAP's stereo_fusion");
   const fs::path fused = folder / "fused.ply";
   const int threads = options.threads > 0 ? options.threads : availableThreads();
-  if (const Result<void> r = rig::runProgram(
+  if (const Result<void> r = colmap::runProgram(
           *program,
           {"stereo_fusion", "--workspace_path", folder.string(), "--workspace_format", "COLMAP",
            "--input_type", "geometric", "--output_path", fused.string(), "--StereoFusion.mask_path",

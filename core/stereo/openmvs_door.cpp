@@ -26,7 +26,7 @@ Result<PointCloud> reconstructWithOpenMvs(std::span<const View> views, const Den
   progress.report(1, 10);
   progress.note(NoteLevel::Info, "stereo: OpenMVS's InterfaceCOLMAP");
   const std::string scene = (folder / "scene.mvs").string();
-  if (const Result<void> r = rig::runProgram(
+  if (const Result<void> r = colmap::runProgram(
           *interface,
           // The photographs are looked for in images/ beside the model.
           {"-w", folder.string(), "-i", folder.string() + "/", "-o", scene}, log, stop);
@@ -42,7 +42,7 @@ Result<PointCloud> reconstructWithOpenMvs(std::span<const View> views, const Den
   for (const View& view : views)
     longest_px = std::max({longest_px, view.photograph.cols, view.photograph.rows});
   const int threads = options.threads > 0 ? options.threads : availableThreads();
-  if (const Result<void> r = rig::runProgram(
+  if (const Result<void> r = colmap::runProgram(
           *densify,
           {"-w", folder.string(), "-i", scene, "-o", (folder / "dense.mvs").string(),
            // Full size, as the built-in stereo; it halves photographs and caps them at 2560

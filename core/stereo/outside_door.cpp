@@ -106,7 +106,7 @@ std::vector<Eigen::Vector3f> surfaceOf(const Hull& hull) {
 
 // Adds the hull's surface to the model, each point with the views whose rays meet it first.
 Result<void> addPoints(std::span<const View> views, const DenseOptions& options,
-                       rig::ColmapModel& model, const std::stop_token& stop) {
+                       colmap::ColmapModel& model, const std::stop_token& stop) {
   std::vector<Frame> frames(views.size());
   parallelFor(views.size(), options.threads, [&](std::size_t i) {
     frames[i] = std::move(buildPyramid(views[i], kOutsideLevels).back());
@@ -121,7 +121,7 @@ Result<void> addPoints(std::span<const View> views, const DenseOptions& options,
               [&](std::size_t i) { ranges[i] = depthRanges(*hull, frames[i]); });
   if (stop.stop_requested()) return Error::cancelled();
   for (const Eigen::Vector3f& p : surfaceOf(*hull)) {
-    rig::ColmapPoint point;
+    colmap::ColmapPoint point;
     point.id = model.points.size() + 1;
     point.position = p.cast<double>();
     point.colour = {128, 128, 128};
@@ -180,7 +180,7 @@ Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOp
                                       std::stop_token stop) {
   if (const Result<void> good = check(views); !good) return good.error();
   if (const Result<void> good = options.check(); !good) return good.error();
-  Result<FolderLock> held = rig::claimWorkspace(folder);
+  Result<FolderLock> held = colmap::claimWorkspace(folder);
   if (!held) return held;
   std::vector<rig::PosedImage> cameras;
   std::vector<std::string> names;
@@ -198,11 +198,11 @@ Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOp
   if (stop.stop_requested()) return Error::cancelled();
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
-  rig::ColmapModel model = rig::toColmap(cameras, names);
+  colmap::ColmapModel model = colmap::toColmap(cameras, names);
   if (const Result<void> done = addPoints(views, options, model, stop); !done) return done.error();
   // Text: every version of both programs reads it.
   const Result<void> written =
-      rig::writeColmapModel(folder / "sparse", model, rig::ColmapFormat::Text);
+      colmap::writeColmapModel(folder / "sparse", model, colmap::ColmapFormat::Text);
   if (!written) return written.error();
   return held;
 }
@@ -258,7 +258,7 @@ Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& pro
 }
 
 Result<fs::path> outsideProgram(const std::string& name, const std::string& option) {
-  const std::optional<fs::path> program = rig::findProgram(name);
+  const std::optional<fs::path> program = colmap::findProgram(name);
   if (program) return *program;
   return Error{ErrorCode::Missing,
                "The program " + name + " is not on the PATH, but --dense " + option +

@@ -14,7 +14,7 @@
 #include "store/page_checksums.h"
 #include "store/values.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 namespace fs = std::filesystem;
 
@@ -370,4 +370,4 @@ Result<void> Database::rewriteWithChecksums(const fs::path& file) {
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -15,7 +15,7 @@
 
 struct sqlite3;
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s. Pages are
 /// checked as they are read (page_checksums.h), but for those of catalogues before that.
@@ -112,4 +112,4 @@ class Database {
   int depth_ = 0;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

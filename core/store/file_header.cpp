@@ -9,7 +9,7 @@
 #include "store/page_checksums.h"
 #include "store/partial_file.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ Result<void> addPageChecksums(const fs::path& file) {
   return fresh->become(file, PartialFile::Existing::Replaced);
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// From this version of the schema on, pages carry checksums (page_checksums.h).
 constexpr int kFirstCheckedVersion = 8;
@@ -22,4 +22,4 @@ Error damagedCatalogue(const std::string& why, const std::filesystem::path& file
 /// done where that was done already. Errors: another program has it open, the disk is full.
 Result<void> addPageChecksums(const std::filesystem::path& file);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

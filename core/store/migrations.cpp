@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 int schemaVersion(Database& database) {
   int version = 0;
@@ -37,4 +37,4 @@ Result<void> migrate(Database& database, std::span<const Migration> steps,
   return {};
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

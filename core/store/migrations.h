@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "store/database.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// One step of the schema: resources/migrations/0002_what_it_does.sql, compiled in.
 struct Migration {
@@ -22,4 +22,4 @@ int schemaVersion(Database& database);
 Result<void> migrate(Database& database, std::span<const Migration> steps,
                      const std::function<Result<void>()>& backup);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <random>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 std::u16string wide(std::string_view text) {
@@ -182,4 +182,4 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// UUID, version 7 (RFC 9562): 48 bits of time, then chance.
 std::string newId(std::int64_t now_ms);
@@ -24,4 +24,4 @@ std::string slug(std::string_view text);
 /// Without white space at both ends.
 std::string trimmed(std::string_view text);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,4 +69,4 @@ std::string networkShareOf(const fs::path& folder) {
   return networkShareOf(real, text.str());
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

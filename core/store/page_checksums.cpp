@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 constexpr std::size_t kSummed = kPageBytes - kReservedBytes;
@@ -225,4 +225,4 @@ const char* checkedPagesVfs() {
   return registered == SQLITE_OK ? vfs.zName : nullptr;
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

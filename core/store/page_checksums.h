@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// Pages of catalogue.sqlite end with 8 bytes that SQLite reserves and never reads: here a checksum
 /// of the page's content and its number. Any SQLite reads such a file; one that writes to it leaves
@@ -24,4 +24,4 @@ inline bool isWholePage(const unsigned char* page, std::uint32_t number) {
 /// SQLite's own checksum VFS (ext/misc/cksumvfs.c) showed the way.
 const char* checkedPagesVfs();
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -10,7 +10,7 @@
 #include "files/cannot_write.h"
 #include "files/files.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ void PartialFile::removeLeftovers(const fs::path& folder) {
   }
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -4,7 +4,7 @@
 #include "base/result.h"
 #include "files/hold.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// A database that is being written beside its place. It goes with this object unless it was given
 /// its name; what a killed process left is removed by whoever writes there next.
@@ -32,4 +32,4 @@ class PartialFile {
   Hold hold_;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

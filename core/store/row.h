@@ -2,7 +2,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// Which row of a table; 0 is none. Rows keep their number as long as the project lives.
 template <class Tag>
@@ -23,4 +23,4 @@ using DecisionRow = RowOf<struct DecisionTag>;
 using SherdRow = RowOf<struct SherdTag>;
 using FileRow = RowOf<struct FileTag>;
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

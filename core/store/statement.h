@@ -10,7 +10,7 @@
 
 struct sqlite3_stmt;
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 /// The door to SQLite: inside core/catalogue a failure travels as one of these, and Database::door
 /// turns it into an Error.
@@ -101,4 +101,4 @@ class Statement {
   int bound_ = 0, column_ = 0;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -10,7 +10,7 @@
 #include "files/json_text.h"
 #include "store/names.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 constexpr std::size_t kMostBytes = limits::kValueBytes.most;
@@ -225,4 +225,4 @@ Result<std::string> checkedPath(std::string_view typed) {
   return path->text();
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

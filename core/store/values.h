@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 
 // Each takes a text as typed or imported and gives its canonical form, or an error whose sentence
 // says what is expected. An empty text stays empty.
@@ -31,4 +31,4 @@ std::vector<std::string> termsFromJson(std::string_view json);
 /// A ContainedPath in UTF-8, composed (NFC).
 Result<std::string> checkedPath(std::string_view path);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

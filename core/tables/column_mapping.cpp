@@ -12,7 +12,7 @@
 #include "store/values.h"
 #include "tables/column_names.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using nlohmann::json;
@@ -38,8 +38,7 @@ std::string settingOf(std::vector<std::string> columns) {
 }
 
 std::string cell(const CsvRow& row, std::size_t column) {
-  return column < row.values.size() ? catalogue::trimmed(unguarded(row.values[column]))
-                                    : std::string();
+  return column < row.values.size() ? store::trimmed(unguarded(row.values[column])) : std::string();
 }
 
 // Below it the numbers of a field are rather of its next larger unit: few walls are thinner than
@@ -64,7 +63,7 @@ Units proposedUnit(const CsvTable& table, std::size_t column, const std::string&
     if (values.size() == kMostLookedAt) break;
     const std::string value = cell(row, column);
     if (value.empty() || value.starts_with('<')) continue;
-    if (const Result<double> number = catalogue::parsedNumber(value)) {
+    if (const Result<double> number = store::parsedNumber(value)) {
       values.push_back(*number);
       says_itself = false;
     }
@@ -213,7 +212,7 @@ std::vector<ColumnChoice> remembered(const catalogue::Catalogue& catalogue, cons
 
 // Of text like 1,2 ± 0,1: both parts.
 std::optional<std::string> shifted(const std::string& text, int tens) {
-  const Result<double> number = catalogue::parsedNumber(text);
+  const Result<double> number = store::parsedNumber(text);
   if (!number) return std::nullopt;
   // The shortest decimal with another exponent: no rounding comes in.
   std::array<char, 48> digits{};
@@ -226,7 +225,7 @@ std::optional<std::string> shifted(const std::string& text, int tens) {
   const std::string other = written.substr(0, e) + "e" + std::to_string(exponent);
   double value = 0;
   std::from_chars(other.data(), other.data() + other.size(), value);
-  return catalogue::numberText(value);
+  return store::numberText(value);
 }
 
 }  // namespace
@@ -237,13 +236,12 @@ std::vector<std::string> fieldsOfTables(bool of_contexts) {
             "period",       "date_edtf",     "closed",   "note",    "bag",
             "collected_on", "count_written", "weight_g", "storage", "uuid"};
   std::vector<std::string> fields;
-  for (const catalogue::SherdField& field : catalogue::sherdFields())
-    fields.emplace_back(field.name);
+  for (const records::SherdField& field : records::sherdFields()) fields.emplace_back(field.name);
   return fields;
 }
 
 std::string inOwnUnit(const std::string& value, const std::string& unit, const std::string& field) {
-  std::string text = catalogue::trimmed(value);
+  std::string text = store::trimmed(value);
   const std::size_t last = text.find_last_of("0123456789");
   std::string in = unit;
   if (last != std::string::npos && last + 1 < text.size())
@@ -283,7 +281,7 @@ CsvTable mapped(const CsvTable& table, const TableMapping& mapping) {
     for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
       const ColumnChoice& choice = mapping.columns[i];
       if (choice.field.empty()) continue;
-      const std::string value = catalogue::trimmed(unguarded(row.values[i]));
+      const std::string value = store::trimmed(unguarded(row.values[i]));
       // A number that is read in two ways is refused as it was written.
       const bool clear = table.separator != ',' || readsOneWay(value);
       values.values.push_back(unitsOf(choice.field).empty() || !clear
@@ -332,4 +330,4 @@ Result<ColumnChoice> parseColumnChoice(std::string_view text) {
   return Error{ErrorCode::UnusableInput, "There is no field '" + choice.field + "'.", {}};
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

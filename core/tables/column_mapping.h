@@ -8,7 +8,7 @@
 #include "catalogue/catalogue.h"
 #include "tables/csv.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// Who says which field a column belongs to.
 enum class ChosenBy { Name, Earlier, Person, Nobody };
@@ -54,4 +54,4 @@ std::vector<std::string> fieldsOfTables(bool of_contexts);
 /// behind the value comes before `unit`. What cannot be read stays as it is.
 std::string inOwnUnit(const std::string& value, const std::string& unit, const std::string& field);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -4,7 +4,7 @@
 
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 constexpr double kPerStep = 1000;  // three decimals: a micrometre, a milligram
@@ -12,11 +12,11 @@ constexpr double kPerStep = 1000;  // three decimals: a micrometre, a milligram
 }  // namespace
 
 std::string tableNumber(double value) {
-  return catalogue::numberText(std::round(kPerStep * value) / kPerStep);
+  return store::numberText(std::round(kPerStep * value) / kPerStep);
 }
 
 bool showsInTable(std::string_view typed, double value) {
-  const Result<double> number = catalogue::parsedNumber(typed);
+  const Result<double> number = store::parsedNumber(typed);
   // A rounding of binary numbers beside the half of a step.
   return number && std::abs(*number - value) <= 0.5 / kPerStep + 1e-12 * std::abs(value);
 }
@@ -83,4 +83,4 @@ const std::vector<ColumnMeaning>& columnMeanings() {
   return all;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// A column of the exported tables.
 struct ColumnMeaning {
@@ -17,4 +17,4 @@ std::string tableNumber(double value);
 /// Whether a number, typed or from a table, is the value as far as a table shows it.
 bool showsInTable(std::string_view typed, double value);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -7,7 +7,7 @@
 #include "records/sherd.h"
 #include "store/names.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 struct Names {
@@ -177,12 +177,11 @@ std::string withoutUmlauts(std::string name) {
 
 void add(Dictionary& dictionary, const Names& one) {
   std::string_view rest = one.names;
-  dictionary.emplace(catalogue::plainKey(one.field), one.field);
+  dictionary.emplace(store::plainKey(one.field), one.field);
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('|'), rest.size());
     const std::string name(rest.substr(0, end));
-    for (const std::string& key :
-         {catalogue::plainKey(name), catalogue::plainKey(withoutUmlauts(name))})
+    for (const std::string& key : {store::plainKey(name), store::plainKey(withoutUmlauts(name))})
       if (!key.empty()) dictionary.emplace(key, one.field);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
@@ -191,8 +190,8 @@ void add(Dictionary& dictionary, const Names& one) {
 const Dictionary& dictionaryOf(bool contexts) {
   static const Dictionary of_sherds = [] {
     Dictionary all;
-    for (const catalogue::SherdField& field : catalogue::sherdFields())
-      all.emplace(catalogue::plainKey(field.name), field.name);
+    for (const records::SherdField& field : records::sherdFields())
+      all.emplace(store::plainKey(field.name), field.name);
     for (const Names& one : kOfSherds) add(all, one);
     return all;
   }();
@@ -221,12 +220,12 @@ std::string withoutMarks(std::string text) {
 
 std::string fieldOfColumn(std::string_view column, bool of_contexts) {
   const Dictionary& dictionary = dictionaryOf(of_contexts);
-  const auto found = dictionary.find(catalogue::plainKey(column));
+  const auto found = dictionary.find(store::plainKey(column));
   return found == dictionary.end() ? std::string() : found->second;
 }
 
 std::string unitNamed(std::string_view text) {
-  const std::string typed = catalogue::trimmed(text);
+  const std::string typed = store::trimmed(text);
   if (typed == "%") return typed;
   static const std::map<std::string, std::string> kUnits = {
       {"mm", "mm"},   {"millimetre", "mm"}, {"millimeter", "mm"}, {"millimetres", "mm"},
@@ -238,12 +237,12 @@ std::string unitNamed(std::string_view text) {
       {"χγρ", "kg"},  {"κιλα", "kg"},       {"մմ", "mm"},         {"սմ", "cm"},
       {"գ", "g"},     {"գր", "g"},          {"կգ", "kg"},         {"мм", "mm"},
       {"см", "cm"},   {"г", "g"},           {"кг", "kg"}};
-  const auto found = kUnits.find(catalogue::plainKey(typed));
+  const auto found = kUnits.find(store::plainKey(typed));
   return found == kUnits.end() ? std::string() : found->second;
 }
 
 NameAndUnit nameAndUnit(const std::string& column) {
-  std::string text = catalogue::trimmed(column);
+  std::string text = store::trimmed(column);
   while (!text.empty() && std::string_view(")]}.").find(text.back()) != std::string_view::npos)
     text.pop_back();
   const std::size_t before = text.find_last_of(kSeparators);
@@ -270,4 +269,4 @@ int tensBetween(const std::string& unit, const std::string& field) {
   return found == kTens.end() || unitsOf(field).empty() ? 0 : found->second;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

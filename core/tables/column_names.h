@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// Which field a column of somebody's table means, by its name in one of the program's languages,
 /// whatever its capitals, accents and marks. of_contexts: of a table of contexts. Empty: none.
@@ -23,4 +23,4 @@ std::vector<std::string> unitsOf(const std::string& field);
 /// How many tens a value in `unit` is multiplied by for one of the field's own: cm -> mm is 1.
 int tensBetween(const std::string& unit, const std::string& field);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

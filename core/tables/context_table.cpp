@@ -12,7 +12,7 @@
 #include "tables/import_table.h"
 #include "tables/portions.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using namespace catalogue;
@@ -57,7 +57,7 @@ class Values {
     if (read.empty()) return {};
     const std::optional<double> before = std::exchange(value, std::nullopt);
     if (read == "<clear>") return {};
-    const Result<double> parsed = parsedNumber(read);
+    const Result<double> parsed = store::parsedNumber(read);
     if (!parsed) return parsed.error();
     if (table_.separator == ',' && before != *parsed)
       if (Result<void> clear = readsOneWay(read); !clear) return clear;
@@ -78,18 +78,18 @@ Record* byRow(std::vector<Record>& records, Row row) {
 }
 
 Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values,
-                      const Provenance& provenance) {
+                      const records::Provenance& provenance) {
   const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
   if (!row) return row.error();
-  Result<ContextRecord> found = catalogue.context(*row);
+  Result<records::ContextRecord> found = catalogue.context(*row);
   if (!found) return found.error();
-  ContextRecord context = *found;
+  records::ContextRecord context = *found;
   values.text("kind", context.kind);
   values.text("excavated_on", context.excavated_on);
   values.text("period", context.period);
   values.text("date_edtf", context.date_edtf);
   values.text("note", context.note);
-  const std::string closed = uniqueKey(values.raw("closed"));
+  const std::string closed = store::uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
     return Error{ErrorCode::UnusableInput, "The column closed accepts yes or no.", {}};
   if (!closed.empty()) context.closed = closed == "yes";
@@ -99,9 +99,9 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   if (number.empty()) return {};
   const auto bag_row = places.bag(*row, number);
   if (!bag_row) return bag_row.error();
-  Result<std::vector<BagRecord>> bags = catalogue.bags(*row);
+  Result<std::vector<records::BagRecord>> bags = catalogue.bags(*row);
   if (!bags) return bags.error();
-  BagRecord bag = *byRow(*bags, *bag_row);
+  records::BagRecord bag = *byRow(*bags, *bag_row);
   values.text("collected_on", bag.collected_on);
   values.text("storage", bag.storage);
   if (Result<void> weight = values.number("weight_g", bag.weight_g); !weight) return weight;
@@ -118,7 +118,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
 // Each row whole or not at all, and what became of it.
 class ContextRows {
  public:
-  ContextRows(Catalogue& catalogue, const CsvTable& table, const Provenance& provenance,
+  ContextRows(Catalogue& catalogue, const CsvTable& table, const records::Provenance& provenance,
               ImportReport& report)
       : catalogue_(catalogue),
         table_(table),
@@ -139,7 +139,7 @@ class ContextRows {
     if (!entered) {
       places_.forget();
       places_.forgetMade();
-      refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
+      store::refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
       return {};
     }
     const bool changed = catalogue_.historyLength() > before;
@@ -162,7 +162,7 @@ class ContextRows {
 
   Catalogue& catalogue_;
   const CsvTable& table_;
-  const Provenance& provenance_;
+  const records::Provenance& provenance_;
   ImportReport& report_;
   Places places_;
   std::set<std::string> made_;
@@ -170,12 +170,14 @@ class ContextRows {
 
 }  // namespace
 
-Result<ContextRow> Places::context(const std::string& site_code, const std::string& trench_code,
-                                   const std::string& number) {
-  const std::string key =
-      uniqueKey(site_code) + "\n" + uniqueKey(trench_code) + "\n" + uniqueKey(number);
-  if (const auto known = known_.find(key); known != known_.end()) return ContextRow{known->second};
-  const Result<ContextRow> there = catalogue_.contextByPlace(site_code, trench_code, number);
+Result<store::ContextRow> Places::context(const std::string& site_code,
+                                          const std::string& trench_code,
+                                          const std::string& number) {
+  const std::string key = store::uniqueKey(site_code) + "\n" + store::uniqueKey(trench_code) +
+                          "\n" + store::uniqueKey(number);
+  if (const auto known = known_.find(key); known != known_.end())
+    return store::ContextRow{known->second};
+  const Result<store::ContextRow> there = catalogue_.contextByPlace(site_code, trench_code, number);
   if (!there) return there;
   if (*there) {
     known_[key] = there->value;
@@ -183,66 +185,69 @@ Result<ContextRow> Places::context(const std::string& site_code, const std::stri
   }
   if (unknown_ == UnknownPlaces::Refuse)
     return unknown("context", site_code + " " + trench_code + " " + number);
-  SiteRow site;
-  const Result<std::vector<SiteRecord>> sites = catalogue_.sites();
+  store::SiteRow site;
+  const Result<std::vector<records::SiteRecord>> sites = catalogue_.sites();
   if (!sites) return sites.error();
-  for (const SiteRecord& s : *sites)
-    if (uniqueKey(s.code) == uniqueKey(site_code)) site = s.row;
+  for (const records::SiteRecord& s : *sites)
+    if (store::uniqueKey(s.code) == store::uniqueKey(site_code)) site = s.row;
   if (!site) {
-    SiteRecord record;
+    records::SiteRecord record;
     record.code = record.name = site_code;
-    const Result<SiteRow> made = catalogue_.save(record, provenance_);
+    const Result<store::SiteRow> made = catalogue_.save(record, provenance_);
     if (!made) return made.error();
     site = *made;
     made_.push_back(site_code);
   }
-  TrenchRow trench;
+  store::TrenchRow trench;
   if (!trench_code.empty()) {
-    const Result<std::vector<TrenchRecord>> trenches = catalogue_.trenches();
+    const Result<std::vector<records::TrenchRecord>> trenches = catalogue_.trenches();
     if (!trenches) return trenches.error();
-    for (const TrenchRecord& t : *trenches)
-      if (t.site == site && uniqueKey(t.code) == uniqueKey(trench_code)) trench = t.row;
+    for (const records::TrenchRecord& t : *trenches)
+      if (t.site == site && store::uniqueKey(t.code) == store::uniqueKey(trench_code))
+        trench = t.row;
     if (!trench) {
-      TrenchRecord record;
+      records::TrenchRecord record;
       record.site = site;
       record.code = trench_code;
-      const Result<TrenchRow> made = catalogue_.save(record, provenance_);
+      const Result<store::TrenchRow> made = catalogue_.save(record, provenance_);
       if (!made) return made.error();
       trench = *made;
       made_.push_back(site_code + " " + trench_code);
     }
   }
-  ContextRecord record;
+  records::ContextRecord record;
   record.site = site;
   record.trench = trench;
   record.number = number;
-  const Result<ContextRow> made = catalogue_.save(record, provenance_);
+  const Result<store::ContextRow> made = catalogue_.save(record, provenance_);
   if (made) known_[key] = made->value;
   return made;
 }
 
-Result<BagRow> Places::bag(ContextRow context, const std::string& number) {
-  const std::string key = std::to_string(context.value) + "\n" + uniqueKey(number);
-  if (const auto known = known_.find(key); known != known_.end()) return BagRow{known->second};
-  const Result<std::vector<BagRecord>> bags = catalogue_.bags(context);
+Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& number) {
+  const std::string key = std::to_string(context.value) + "\n" + store::uniqueKey(number);
+  if (const auto known = known_.find(key); known != known_.end())
+    return store::BagRow{known->second};
+  const Result<std::vector<records::BagRecord>> bags = catalogue_.bags(context);
   if (!bags) return bags.error();
-  for (const BagRecord& bag : *bags)
-    if (uniqueKey(bag.number) == uniqueKey(number)) {
+  for (const records::BagRecord& bag : *bags)
+    if (store::uniqueKey(bag.number) == store::uniqueKey(number)) {
       known_[key] = bag.row.value;
       return bag.row;
     }
   if (unknown_ == UnknownPlaces::Refuse) return unknown("bag", number);
-  BagRecord record;
+  records::BagRecord record;
   record.context = context;
   record.number = number;
-  const Result<BagRow> made = catalogue_.save(record, provenance_);
+  const Result<store::BagRow> made = catalogue_.save(record, provenance_);
   if (made) known_[key] = made->value;
   return made;
 }
 
 Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
-                                    const ImportOptions& options, const Provenance& provenance,
-                                    Progress& progress, std::stop_token stop) {
+                                    const ImportOptions& options,
+                                    const records::Provenance& provenance, Progress& progress,
+                                    std::stop_token stop) {
   ImportReport report;
   ContextRows entering(catalogue, table, provenance, report);
   const Result<std::size_t> entered =
@@ -256,4 +261,4 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
   return report;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -5,7 +5,7 @@
 #include "base/limits.h"
 #include "store/names.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 constexpr std::size_t kMostRows = limits::kTableRows.most,
@@ -66,12 +66,12 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   if (text.find('\0') != std::string::npos)
     return Error::unusable("Not a text file: it contains binary data, which a table never does.",
                            where);
-  if (!catalogue::isUtf8(text)) {
+  if (!store::isUtf8(text)) {
     std::size_t good = 0;
     int line = 1;
     for (; good < text.size(); ++line) {
       const std::size_t end = std::min(text.find('\n', good), text.size());
-      if (!catalogue::isUtf8(std::string_view(text).substr(good, end - good))) break;
+      if (!store::isUtf8(std::string_view(text).substr(good, end - good))) break;
       good = end + 1;
     }
     return Error::unusable("Line " + std::to_string(line) +
@@ -83,8 +83,8 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
 
 // Some programs quote the first name together with the mark of the file.
 std::string columnNamed(std::string_view written) {
-  std::string name = catalogue::trimmed(written);
-  while (name.starts_with(kBom)) name = catalogue::trimmed(name.substr(kBom.size()));
+  std::string name = store::trimmed(written);
+  while (name.starts_with(kBom)) name = store::trimmed(name.substr(kBom.size()));
   return name;
 }
 
@@ -255,8 +255,8 @@ Result<void> readsOneWay(std::string_view number, char mark) {
     const std::size_t before = number.find_last_not_of(kDigits, at - (at > 0 ? 1 : 0));
     const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
     const std::size_t end = std::min(number.find_first_not_of(kDigits, at + 1), number.size());
-    const std::string ahead = catalogue::trimmed(number.substr(0, begin));
-    const std::string behind = catalogue::trimmed(number.substr(end));
+    const std::string ahead = store::trimmed(number.substr(0, begin));
+    const std::string behind = store::trimmed(number.substr(end));
     const bool alone =
         (ahead.empty() || ahead.ends_with("±") || ahead.back() == '-' || ahead.back() == '+') &&
         (behind.empty() || behind.starts_with("±") || behind.front() == '+');
@@ -268,4 +268,4 @@ Result<void> readsOneWay(std::string_view number, char mark) {
   return {};
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 struct CsvRow {
   int line = 0;  ///< where the row begins in the file, from 1
@@ -35,4 +35,4 @@ std::string unguarded(std::string_view text);
 /// mark: ',' or '.', which may stand between thousands.
 Result<void> readsOneWay(std::string_view number, char mark = ',');
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

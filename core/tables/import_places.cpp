@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 struct ImportPlace {
@@ -40,7 +40,7 @@ Result<ContainedPath> importPlace(const std::string& path, const std::string& ba
         "imported.",
         path.substr(0, 255));
   };
-  const Result<std::string> text = catalogue::checkedPath(path);
+  const Result<std::string> text = store::checkedPath(path);
   if (!text) return text.error();
   Result<ContainedPath> parsed = ContainedPath::parse(*text);
   if (!parsed) return parsed;
@@ -56,4 +56,4 @@ Result<ContainedPath> importPlace(const std::string& path, const std::string& ba
   return refused();
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -4,7 +4,7 @@
 #include "base/result.h"
 #include "files/contained_path.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// Where a file that came with an export may lie in the project: pictures and the plate's, board's
 /// and rig's descriptions in batches/NUMBER/ of their own batch, scans and reports in
@@ -14,4 +14,4 @@ namespace ostraka::exchange {
 /// sherd. Error: UnusableInput.
 Result<ContainedPath> importPlace(const std::string& path, const std::string& batch);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -12,20 +12,20 @@
 #include "tables/portions.h"
 #include "tables/table_joins.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using catalogue::Catalogue;
-using catalogue::Confirmation;
-using catalogue::FieldChange;
-using catalogue::FieldKind;
-using catalogue::Provenance;
-using catalogue::SherdField;
-using catalogue::SherdRecord;
-using catalogue::SherdRow;
+using records::Confirmation;
+using records::FieldChange;
+using records::FieldKind;
+using records::Provenance;
+using records::SherdField;
+using records::SherdRecord;
+using store::SherdRow;
 
 const SherdField* fieldNamed(const std::string& name) {
-  for (const SherdField& field : catalogue::sherdFields())
+  for (const SherdField& field : records::sherdFields())
     if (name == field.name) return &field;
   return nullptr;
 }
@@ -114,11 +114,11 @@ class Importing {
     if (number.empty() && uuid.empty())
       return refuse(refusal, "number", "", "The row has neither a number nor a uuid.");
     for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
-      if (!value.empty() && !seen_[column].insert(catalogue::uniqueKey(value)).second)
+      if (!value.empty() && !seen_[column].insert(store::uniqueKey(value)).second)
         return refuse(refusal, column, value, "This appears in two rows of the table.");
     SherdRow by_uuid, by_number;
     if (!uuid.empty()) {
-      if (!catalogue::isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
+      if (!store::isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
       const Result<SherdRow> found = catalogue_.sherdById(uuid);
       if (!found) return found.error();
       by_uuid = *found;
@@ -138,7 +138,7 @@ class Importing {
     if (valueOf(row, "context").empty() && !valueOf(row, "number").empty())
       return refuse(refusal, "context", "", "A new sherd needs its context.");
     SherdRecord record;
-    record.id = catalogue::uniqueKey(valueOf(row, "uuid"));
+    record.id = store::uniqueKey(valueOf(row, "uuid"));
     record.batch = row.batch;
     return catalogue_.addSherd(record, provenance_);
   }
@@ -166,20 +166,20 @@ class Importing {
       if (typed.empty() || name == "joins") continue;
       const SherdField* field = fieldNamed(name);
       if (field && !field->editable) continue;
-      if (name == "number" && catalogue::uniqueKey(typed) == catalogue::uniqueKey(now->number))
+      if (name == "number" && store::uniqueKey(typed) == store::uniqueKey(now->number))
         continue;  // capitals make no difference
       const std::string value = typed == kClear ? std::string() : typed;
       // Else a measure of the program, rounded in a table, would come back as a person's.
-      const std::string before = catalogue::textOf(*now, name);
+      const std::string before = records::textOf(*now, name);
       if (field && field->kind == FieldKind::Number && !before.empty() &&
-          showsInTable(value, *catalogue::parsedNumber(before)))
+          showsInTable(value, *store::parsedNumber(before)))
         continue;
       if (field && field->kind == FieldKind::Number && row.comma_separates)
         if (const Result<void> clear = readsOneWay(value); !clear)
           return refuse(refusal, name, value, clear.error().sentence());
       const bool by_program =
           field && field->kind == FieldKind::Number && row.by_hand && !row.by_hand->contains(name);
-      if (by_program && fresh && catalogue::parsedNumber(value)) {
+      if (by_program && fresh && store::parsedNumber(value)) {
         if (const Result<void> done = measureByProgram({sherd, name, value}, refusal); !done)
           return done.error();
         continue;
@@ -192,8 +192,7 @@ class Importing {
           continue;
       }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
-      if (value != catalogue::textOf(*now, own))
-        changes.push_back({sherd, own, value, confirmation});
+      if (value != records::textOf(*now, own)) changes.push_back({sherd, own, value, confirmation});
     }
     const auto joins = joins_.of(at, *now, catalogue_);
     if (!joins) return refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
@@ -205,7 +204,7 @@ class Importing {
         if (!other) return other.error();
         ids.push_back(other->id);
       }
-      changes.push_back({sherd, "joins", catalogue::joinTerms(ids)});
+      changes.push_back({sherd, "joins", store::joinTerms(ids)});
     }
     bool changed = false;
     if (!changes.empty()) {
@@ -216,11 +215,11 @@ class Importing {
       undo_ = *undo;
     }
     for (const auto& [measurement, initials] : row.measured) {
-      catalogue::Measurement m = measurement;
+      records::Measurement m = measurement;
       m.sherd = sherd;
       Provenance by = provenance_;
       const auto person = persons_.find(initials);
-      by.person = person == persons_.end() ? catalogue::PersonRow{} : person->second;
+      by.person = person == persons_.end() ? store::PersonRow{} : person->second;
       const auto before = now->measures.find(m.kind);
       changed |= before == now->measures.end() || before->second != m.value;
       if (const Result<void> done = catalogue_.measure(m, by); !done)
@@ -230,7 +229,7 @@ class Importing {
   }
 
   static std::string kindOf(const std::string& field) {  // rim_pct, beside length_mm
-    return catalogue::unitOf(field).empty() ? field.substr(0, field.rfind('_')) : field;
+    return records::unitOf(field).empty() ? field.substr(0, field.rfind('_')) : field;
   }
 
   // Computed where the table comes from: it gives way to what is computed or measured here.
@@ -239,10 +238,10 @@ class Importing {
     if (!shown) return shown.error();
     if (!shown->front().refusal.empty())
       return refuse(refusal, number.field, number.value, shown->front().refusal);
-    catalogue::Measurement m;
+    records::Measurement m;
     m.sherd = number.sherd;
     m.kind = kindOf(number.field);
-    m.value = *catalogue::parsedNumber(number.value);
+    m.value = *store::parsedNumber(number.value);
     Provenance by = provenance_;
     by.person = {};
     return catalogue_.measure(m, by);
@@ -252,10 +251,10 @@ class Importing {
   Error named(const std::vector<FieldChange>& changes, const Error& error, Refusal& refusal) {
     const auto shown = catalogue_.preview(changes);
     if (!shown) return error;
-    for (const catalogue::ChangePreview& change : *shown)
+    for (const records::ChangePreview& change : *shown)
       if (!change.refusal.empty())
         return refuse(refusal, change.change.field, change.change.value, change.refusal);
-    for (const catalogue::ChangePreview& change : *shown)
+    for (const records::ChangePreview& change : *shown)
       if (change.asks()) {
         asks_ = true;
         return refuse(refusal, change.change.field, change.change.value, change.question);
@@ -274,7 +273,7 @@ class Importing {
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
   std::map<std::string, std::set<std::string>> seen_;
-  std::map<std::string, catalogue::PersonRow> persons_;
+  std::map<std::string, store::PersonRow> persons_;
 };
 
 Result<void> checkColumns(const CsvTable& table, const std::string& where) {
@@ -298,7 +297,7 @@ std::vector<ImportRow> sherdRowsOf(const CsvTable& table) {
         row.values[table.columns[i]] = read.values[i];
         continue;
       }
-      const std::vector<std::string> columns = catalogue::splitTerms(read.values[i]);
+      const std::vector<std::string> columns = store::splitTerms(read.values[i]);
       row.by_hand.emplace(columns.begin(), columns.end());
     }
     rows.push_back(std::move(row));
@@ -420,4 +419,4 @@ std::string refusalsCsv(const ImportReport& report) {
   return text;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

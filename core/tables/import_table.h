@@ -13,7 +13,7 @@
 #include "catalogue/catalogue.h"
 #include "tables/column_mapping.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// A preview does everything and takes it back: what it counts is what entering will do.
 enum class ImportMode { Preview, Enter };
@@ -37,9 +37,9 @@ constexpr const char* kClear = "<clear>";
 struct ImportRow {
   int line = 0;
   std::map<std::string, std::string> values;
-  std::vector<std::pair<catalogue::Measurement, std::string>> measured;  ///< and by whose initials
+  std::vector<std::pair<records::Measurement, std::string>> measured;  ///< and by whose initials
   /// Of a new sherd. Not by its number in values: each project has a B0001.
-  catalogue::BatchRow batch = {};
+  store::BatchRow batch = {};
   /// Columns of numbers that persons took, the others are a program's; none: nothing is said.
   std::optional<std::set<std::string>> by_hand = {};
   bool comma_separates = false;  ///< the columns of its table, see readsOneWay
@@ -59,7 +59,7 @@ struct ImportReport {
   TableMapping mapping = {};                  ///< of a table
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
   /// Of sherds that were there before: what is changed, and what takes it back, in order.
-  std::vector<catalogue::FieldChange> changes, undo;
+  std::vector<records::FieldChange> changes, undo;
 };
 
 /// Refused rows stay out, the others enter, each of them whole, some at a time so that others can
@@ -68,7 +68,7 @@ struct ImportReport {
 /// twice changes nothing. Errors: Cancelled of a preview, what keeps the catalogue from writing.
 Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
                                   const std::vector<ImportRow>& rows, const ImportOptions& options,
-                                  const catalogue::Provenance& provenance, Progress& progress,
+                                  const records::Provenance& provenance, Progress& progress,
                                   std::stop_token stop);
 
 /// A table of sherds (a column has their numbers or uuids) or of contexts (site, trench, context,
@@ -76,7 +76,7 @@ Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
 /// Errors: what parseCsv and mapColumns refuse, a column that is there twice.
 Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
-                                 const catalogue::Provenance& provenance, Progress& progress,
+                                 const records::Provenance& provenance, Progress& progress,
                                  std::stop_token stop);
 
 /// An import that was stopped, or whose program or computer was.
@@ -99,19 +99,19 @@ struct CsvTable;
 /// The second kind of importTable, mapped; stopped and gone on with as importSherds.
 Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
                                     const ImportOptions& options,
-                                    const catalogue::Provenance& provenance, Progress& progress,
+                                    const records::Provenance& provenance, Progress& progress,
                                     std::stop_token stop);
 
 /// Finds site, trench, context and bag by their codes, or makes what is missing.
 class Places {
  public:
   Places(catalogue::Catalogue& catalogue, UnknownPlaces unknown,
-         const catalogue::Provenance& provenance)
+         const records::Provenance& provenance)
       : catalogue_(catalogue), unknown_(unknown), provenance_(provenance) {}
   /// Errors: an unknown place that must not be made.
-  Result<catalogue::ContextRow> context(const std::string& site, const std::string& trench,
-                                        const std::string& number);
-  Result<catalogue::BagRow> bag(catalogue::ContextRow context, const std::string& number);
+  Result<store::ContextRow> context(const std::string& site, const std::string& trench,
+                                    const std::string& number);
+  Result<store::BagRow> bag(store::ContextRow context, const std::string& number);
   void forget() { known_.clear(); }  ///< after a row was taken back
   /// Codes of sites ("ARM1") and trenches ("ARM1 T3") that were made since they were forgotten.
   const std::vector<std::string>& made() const { return made_; }
@@ -120,9 +120,9 @@ class Places {
  private:
   catalogue::Catalogue& catalogue_;
   UnknownPlaces unknown_;
-  catalogue::Provenance provenance_;
+  records::Provenance provenance_;
   std::map<std::string, std::int64_t> known_;
   std::vector<std::string> made_;
 };
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

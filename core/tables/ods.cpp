@@ -5,7 +5,7 @@
 #include "archive/zip.h"
 #include "paper/markup.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 constexpr const char* kType = "application/vnd.oasis.opendocument.spreadsheet";
@@ -88,8 +88,8 @@ Result<std::string> formatOds(const std::vector<OdsSheet>& sheets) {
   for (const OdsSheet& sheet : sheets) content += sheet.xml_ + "</table:table>\n";
   content += kTail;
   // The type comes first, so that it stands at a known place of the file.
-  return zipped(
+  return archive::zipped(
       {{"mimetype", kType}, {"content.xml", content}, {"META-INF/manifest.xml", kManifest}});
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

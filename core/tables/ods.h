@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// One sheet of a spreadsheet, written row by row. The first row is a header that is repeated on
 /// each printed page.
@@ -28,4 +28,4 @@ class OdsSheet {
 /// UnusableInput beyond 4 GiB.
 Result<std::string> formatOds(const std::vector<OdsSheet>& sheets);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

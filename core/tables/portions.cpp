@@ -8,7 +8,7 @@
 #include "files/json_numbers.h"
 #include "files/json_text.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using catalogue::Catalogue;
@@ -91,4 +91,4 @@ Result<void> forgetUnfinishedImports(Catalogue& catalogue) {
   return catalogue.setSetting(kUnfinished, {});
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

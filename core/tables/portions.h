@@ -4,7 +4,7 @@
 
 #include "tables/import_table.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 
 /// Enters rows 0 to count - 1 by `enter`, some at a time as one transaction, so that others can
 /// write between; of a preview all, taken back. Returns how many were entered; fewer than count
@@ -16,4 +16,4 @@ Result<std::size_t> enterInPortions(catalogue::Catalogue& catalogue, std::size_t
                                     const std::stop_token& stop,
                                     const std::function<Result<void>(std::size_t)>& enter);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

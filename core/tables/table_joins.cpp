@@ -5,12 +5,12 @@
 #include "store/names.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using catalogue::Catalogue;
-using catalogue::SherdRecord;
-using catalogue::SherdRow;
+using records::SherdRecord;
+using store::SherdRow;
 
 Result<SherdRow> byName(const std::string& name, const Catalogue& catalogue) {
   const Result<SherdRow> sherd = catalogue.sherdByNumber(name);
@@ -30,10 +30,10 @@ TableJoins::TableJoins(const std::vector<ImportRow>& rows) {
     kept.number = valueOf("number");
     kept.uuid = valueOf("uuid");
     for (const std::string& name : {kept.number, kept.uuid})
-      if (!name.empty()) by_name_.emplace(catalogue::uniqueKey(name), rows_.size() - 1);
+      if (!name.empty()) by_name_.emplace(store::uniqueKey(name), rows_.size() - 1);
     const auto joins = row.values.find("joins");
     if (joins != row.values.end() && !joins->second.empty())
-      kept.named = catalogue::splitTerms(valueOf("joins"));
+      kept.named = store::splitTerms(valueOf("joins"));
   }
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].named)
@@ -43,7 +43,7 @@ TableJoins::TableJoins(const std::vector<ImportRow>& rows) {
 }
 
 std::optional<std::size_t> TableJoins::rowOf(const std::string& name) const {
-  const auto found = by_name_.find(catalogue::uniqueKey(name));
+  const auto found = by_name_.find(store::uniqueKey(name));
   return found == by_name_.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -97,4 +97,4 @@ Result<std::vector<std::string>> TableJoins::lost(const Catalogue& catalogue) co
   return lost;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "devices/conversation.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 using Kind = ComXimReply::Kind;
@@ -29,10 +29,10 @@ std::optional<double> numberIn(std::string_view text) {
   return value;
 }
 
-class ComXimTurntable final : public Turntable {
+class ComXimTurntable final : public devices::Turntable {
  public:
-  ComXimTurntable(std::unique_ptr<ByteChannel> channel, const ComXimOptions& options,
-                  std::shared_ptr<Clock> clock)
+  ComXimTurntable(std::unique_ptr<devices::ByteChannel> channel, const ComXimOptions& options,
+                  std::shared_ptr<devices::Clock> clock)
       : line_(std::move(channel), std::move(clock), ';', "#"), options_(options) {}
   ~ComXimTurntable() override { close(); }
 
@@ -269,7 +269,7 @@ class ComXimTurntable final : public Turntable {
   }
   Result<void> haltAt() { return halt(); }
 
-  Conversation line_;
+  devices::Conversation line_;
   ComXimOptions options_;
   std::string where_;
   bool new_spelling_ = false, tells_angle_ = false, heard_ = false;
@@ -320,13 +320,13 @@ Result<void> ComXimOptions::check() const {
   return Error{ErrorCode::UnusableInput, "The turntable's speed must be greater than 0.", {}};
 }
 
-Result<std::unique_ptr<Turntable>> openComXim(std::unique_ptr<ByteChannel> channel,
-                                              const ComXimOptions& options,
-                                              std::shared_ptr<Clock> clock, std::stop_token stop) {
+Result<std::unique_ptr<devices::Turntable>> openComXim(
+    std::unique_ptr<devices::ByteChannel> channel, const ComXimOptions& options,
+    std::shared_ptr<devices::Clock> clock, std::stop_token stop) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   auto table = std::make_unique<ComXimTurntable>(std::move(channel), options, std::move(clock));
   if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
-  return std::unique_ptr<Turntable>(std::move(table));
+  return std::unique_ptr<devices::Turntable>(std::move(table));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

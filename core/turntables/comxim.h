@@ -7,7 +7,7 @@
 #include "devices/clock.h"
 #include "devices/turntable.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 
 enum class ComXimDialect {
   Brackets,  ///< "CT+TRUNSINGLE(1,45);": ComXim MT tables and their relatives
@@ -24,9 +24,9 @@ struct ComXimOptions {
 /// A table of this family. It turns by relative angles only, so that a command is never repeated:
 /// after a lost reply the table is asked where it stands, and turned by the difference; one that
 /// cannot tell has lost its position. Errors: Missing (no answer, or none of this family).
-Result<std::unique_ptr<Turntable>> openComXim(std::unique_ptr<ByteChannel> channel,
-                                              const ComXimOptions& options,
-                                              std::shared_ptr<Clock> clock, std::stop_token stop);
+Result<std::unique_ptr<devices::Turntable>> openComXim(
+    std::unique_ptr<devices::ByteChannel> channel, const ComXimOptions& options,
+    std::shared_ptr<devices::Clock> clock, std::stop_token stop);
 
 /// What a message of either dialect, without its semicolon, says.
 struct ComXimReply {
@@ -36,4 +36,4 @@ struct ComXimReply {
 };
 ComXimReply parseComXimReply(std::string_view message, ComXimDialect dialect);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

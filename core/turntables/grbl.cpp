@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "devices/conversation.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 constexpr double kReply_s = 1.0;    // a planned line is answered within milliseconds
@@ -26,10 +26,10 @@ struct Answer {
   std::string words;  // of Refused and Alarm
 };
 
-class GrblTurntable final : public Turntable {
+class GrblTurntable final : public devices::Turntable {
  public:
-  GrblTurntable(std::unique_ptr<ByteChannel> channel, GrblOptions options,
-                std::shared_ptr<Clock> clock)
+  GrblTurntable(std::unique_ptr<devices::ByteChannel> channel, GrblOptions options,
+                std::shared_ptr<devices::Clock> clock)
       : line_(std::move(channel), std::move(clock), '\n'), options_(std::move(options)) {}
   ~GrblTurntable() override { close(); }
 
@@ -423,7 +423,7 @@ class GrblTurntable final : public Turntable {
     return Error::cancelled();
   }
 
-  Conversation line_;
+  devices::Conversation line_;
   GrblOptions options_;
   std::string where_;
   bool has_switch_ = false;
@@ -446,13 +446,14 @@ Result<void> GrblOptions::check() const {
   return {};
 }
 
-Result<std::unique_ptr<Turntable>> openGrbl(std::unique_ptr<ByteChannel> channel,
-                                            const GrblOptions& options,
-                                            std::shared_ptr<Clock> clock, std::stop_token stop) {
+Result<std::unique_ptr<devices::Turntable>> openGrbl(std::unique_ptr<devices::ByteChannel> channel,
+                                                     const GrblOptions& options,
+                                                     std::shared_ptr<devices::Clock> clock,
+                                                     std::stop_token stop) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   auto table = std::make_unique<GrblTurntable>(std::move(channel), options, std::move(clock));
   if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
-  return std::unique_ptr<Turntable>(std::move(table));
+  return std::unique_ptr<devices::Turntable>(std::move(table));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

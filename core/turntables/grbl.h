@@ -8,7 +8,7 @@
 #include "devices/clock.h"
 #include "devices/turntable.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 
 struct GrblOptions {
   double speed_deg_s = 20;
@@ -20,9 +20,10 @@ struct GrblOptions {
 /// A turntable on a GRBL 1.1 or FluidNC controller, degrees as its units on the X axis.
 /// Targets are absolute, so that a repeated command never turns twice; arrival is what two status
 /// reports say. Errors: Missing (no answer, or no GRBL).
-Result<std::unique_ptr<Turntable>> openGrbl(std::unique_ptr<ByteChannel> channel,
-                                            const GrblOptions& options,
-                                            std::shared_ptr<Clock> clock, std::stop_token stop);
+Result<std::unique_ptr<devices::Turntable>> openGrbl(std::unique_ptr<devices::ByteChannel> channel,
+                                                     const GrblOptions& options,
+                                                     std::shared_ptr<devices::Clock> clock,
+                                                     std::stop_token stop);
 
 /// "<Idle|MPos:1.000,0,0|WCO:0,0,0>".
 struct GrblReport {
@@ -36,4 +37,4 @@ std::optional<GrblReport> parseGrblReport(std::string_view line);
 /// "ALARM:1" and "error:9" in words; nothing for other lines.
 std::optional<std::string> grblTrouble(std::string_view line);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

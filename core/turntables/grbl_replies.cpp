@@ -3,7 +3,7 @@
 
 #include "turntables/grbl.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 std::optional<double> firstNumber(std::string_view text) {
@@ -97,4 +97,4 @@ std::optional<std::string> grblTrouble(std::string_view line) {
   return std::nullopt;
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-class HandTurntable final : public Turntable {
+class HandTurntable final : public devices::Turntable {
  public:
-  explicit HandTurntable(AskPerson ask) : ask_(std::move(ask)) {}
+  explicit HandTurntable(devices::AskPerson ask) : ask_(std::move(ask)) {}
 
   std::string name() const override { return "turned by hand"; }
   Result<void> home(std::stop_token stop) override { return turn(0, stop); }
@@ -44,14 +44,14 @@ class HandTurntable final : public Turntable {
     return {};
   }
 
-  AskPerson ask_;
+  devices::AskPerson ask_;
   std::atomic<double> position_ = kUnknown;
 };
 
 }  // namespace
 
-std::unique_ptr<Turntable> openHandTurntable(AskPerson ask) {
+std::unique_ptr<devices::Turntable> openHandTurntable(devices::AskPerson ask) {
   return std::make_unique<HandTurntable>(std::move(ask));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

@@ -3,10 +3,10 @@
 
 #include "devices/turntable.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 
 /// A table without a motor: a person is told where to turn it. The markers in the photographs check
 /// that they did.
-std::unique_ptr<Turntable> openHandTurntable(AskPerson ask);
+std::unique_ptr<devices::Turntable> openHandTurntable(devices::AskPerson ask);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

@@ -6,16 +6,16 @@
 
 #include "files/json.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr const char* kJournalFormat = "ostraka-turntable/1";
 
-class JournaledTurntable final : public Turntable {
+class JournaledTurntable final : public devices::Turntable {
  public:
-  JournaledTurntable(std::unique_ptr<Turntable> table, fs::path journal)
+  JournaledTurntable(std::unique_ptr<devices::Turntable> table, fs::path journal)
       : table_(std::move(table)), journal_(std::move(journal)) {
     (void)recall({});
   }
@@ -96,16 +96,16 @@ class JournaledTurntable final : public Turntable {
     fs::remove(journal_, failed);
   }
 
-  std::unique_ptr<Turntable> table_;
+  std::unique_ptr<devices::Turntable> table_;
   fs::path journal_;
   std::atomic<double> zero_deg_ = 0;  // of the table's own count
 };
 
 }  // namespace
 
-std::unique_ptr<Turntable> rememberPosition(std::unique_ptr<Turntable> table,
-                                            std::filesystem::path journal) {
+std::unique_ptr<devices::Turntable> rememberPosition(std::unique_ptr<devices::Turntable> table,
+                                                     std::filesystem::path journal) {
   return std::make_unique<JournaledTurntable>(std::move(table), std::move(journal));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

@@ -12,7 +12,7 @@
 #include "devices/conversation.h"
 #include "files/json_numbers.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 std::string filledIn(std::string text, const std::string& name, double value) {
@@ -21,7 +21,7 @@ std::string filledIn(std::string text, const std::string& name, double value) {
   return text;
 }
 
-class TextTurntable final : public Turntable {
+class TextTurntable final : public devices::Turntable {
   static constexpr double kTolerance_deg = 0.1;
   static constexpr int kTries = 3;
   static constexpr double kHoming_s = 60;
@@ -32,8 +32,8 @@ class TextTurntable final : public Turntable {
   enum class Answer { Accepted, Arrived, Refused, Restarted, Lost };
 
  public:
-  TextTurntable(std::unique_ptr<ByteChannel> channel, const TextTableOptions& options,
-                std::shared_ptr<Clock> clock)
+  TextTurntable(std::unique_ptr<devices::ByteChannel> channel, const TextTableOptions& options,
+                std::shared_ptr<devices::Clock> clock)
       : line_(std::move(channel), std::move(clock), options.dialect.end),
         options_(options),
         words_(options.dialect),
@@ -274,7 +274,7 @@ class TextTurntable final : public Turntable {
     }
   }
 
-  Conversation line_;
+  devices::Conversation line_;
   TextTableOptions options_;
   const TextDialect words_;
   std::string where_;
@@ -366,14 +366,13 @@ Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
   return d;
 }
 
-Result<std::unique_ptr<Turntable>> openTextTable(std::unique_ptr<ByteChannel> channel,
-                                                 const TextTableOptions& options,
-                                                 std::shared_ptr<Clock> clock,
-                                                 std::stop_token stop) {
+Result<std::unique_ptr<devices::Turntable>> openTextTable(
+    std::unique_ptr<devices::ByteChannel> channel, const TextTableOptions& options,
+    std::shared_ptr<devices::Clock> clock, std::stop_token stop) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   auto table = std::make_unique<TextTurntable>(std::move(channel), options, std::move(clock));
   if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
-  return std::unique_ptr<Turntable>(std::move(table));
+  return std::unique_ptr<devices::Turntable>(std::move(table));
 }
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

@@ -8,7 +8,7 @@
 #include "devices/clock.h"
 #include "devices/turntable.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 
 /// The words of a controller, so that most tables need no driver of their own. Commands hold
 /// {target} or {by} (degrees, counter-clockwise) and {deg_min} or {deg_s} (the speed); replies are
@@ -43,9 +43,8 @@ struct TextTableOptions {
 /// After a lost reply an absolute target is said again, which turns nothing twice; a table that
 /// turns by steps is asked where it stands, and has lost its position when it cannot tell.
 /// Errors: Missing (no answer).
-Result<std::unique_ptr<Turntable>> openTextTable(std::unique_ptr<ByteChannel> channel,
-                                                 const TextTableOptions& options,
-                                                 std::shared_ptr<Clock> clock,
-                                                 std::stop_token stop);
+Result<std::unique_ptr<devices::Turntable>> openTextTable(
+    std::unique_ptr<devices::ByteChannel> channel, const TextTableOptions& options,
+    std::shared_ptr<devices::Clock> clock, std::stop_token stop);
 
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

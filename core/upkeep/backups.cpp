@@ -11,7 +11,7 @@
 #include "store/partial_file.h"
 #include "upkeep/project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,14 +32,14 @@ std::string timeStamp(std::int64_t now_ms) {
   return std::string(text, size) + "-" + milliseconds;
 }
 
-Result<fs::path> backUpInto(const fs::path& folder, const Catalogue& catalogue,
+Result<fs::path> backUpInto(const fs::path& folder, const catalogue::Catalogue& catalogue,
                             const std::string& kind) {
   // A connection still shows what it read before the file under it was emptied.
-  if (const Result<Pages> live = lookAtHeader(catalogue.database().file()); !live)
+  if (const Result<store::Pages> live = store::lookAtHeader(catalogue.database().file()); !live)
     return live.error();
   std::error_code code;
   if (const Result<void> made = makeFolder(folder / "backups"); !made) return made.error();
-  PartialFile::removeLeftovers(folder / "backups");
+  store::PartialFile::removeLeftovers(folder / "backups");
   fs::path file = folder / "backups" / (kBackup + timeStamp(catalogue.now()) + kind + ".sqlite");
   for (int more = 2; fs::exists(file, code); ++more)
     file = folder / "backups" /
@@ -71,7 +71,7 @@ Result<fs::path> Project::backUp(int keep, int days) const {
 Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
   const Result<std::int64_t> changed = catalogue_.database().door([&] {
     std::int64_t at = 0;
-    Statement last =
+    store::Statement last =
         catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
     if (last.next()) last >> at;
     return at;
@@ -103,4 +103,4 @@ std::vector<fs::path> Project::backups() const {
   return backupsOf(folder_);
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 
 /// 20261121-181557-123, UTC: sorts as time does.
 std::string timeStamp(std::int64_t now_ms);
@@ -15,6 +15,7 @@ std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& folder
 /// A copy of the project's catalogue in backups/, read back; kind stands behind its time. Copies of
 /// the kinds -before-update and -before-repair are never removed.
 Result<std::filesystem::path> backUpInto(const std::filesystem::path& folder,
-                                         const Catalogue& catalogue, const std::string& kind);
+                                         const catalogue::Catalogue& catalogue,
+                                         const std::string& kind);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -9,7 +9,7 @@
 #include "store/values.h"
 #include "upkeep/file_check_log.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,10 +34,10 @@ Result<std::optional<Damage>> lookAt(const KnownFile& file, const fs::path& fold
 
 }  // namespace
 
-Result<std::vector<KnownFile>> knownFiles(const Catalogue& catalogue) {
+Result<std::vector<KnownFile>> knownFiles(const catalogue::Catalogue& catalogue) {
   return catalogue.database().door([&] {
     std::vector<KnownFile> files;
-    Statement rows = catalogue.database().sql(
+    store::Statement rows = catalogue.database().sql(
         "SELECT f.path, f.sha256, f.role, f.bytes, iif(s.number = '', s.id, s.number), b.number "
         "FROM file f LEFT JOIN sherd s ON s.row = f.sherd LEFT JOIN batch b ON b.row = f.batch "
         "WHERE NOT (f.path GLOB 'results/*' AND ifnull(b.state, '') IN ('queued', 'computed', "
@@ -73,7 +73,7 @@ std::optional<Damage> damageOf(const KnownFile& file, const Checksum& found) {
   return same ? std::nullopt : std::optional(Damage::Changed);
 }
 
-Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const fs::path& folder,
+Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs::path& folder,
                                 CheckDepth depth, Progress& progress, std::stop_token stop) {
   const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
   if (!known) return known.error();
@@ -100,17 +100,17 @@ Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const fs::path& fold
   return result;
 }
 
-Result<CheckedFiles> checkShare(const Catalogue& catalogue, const fs::path& folder,
+Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs::path& folder,
                                 std::int64_t most_bytes, Progress& progress, std::stop_token stop) {
   // Reads each page that is in use; unlike checkIntegrity it keeps nobody from writing.
   const Result<std::string> pages = catalogue.database().door([&] {
     std::string found;
-    Statement check = catalogue.database().sql("PRAGMA integrity_check(1)");
+    store::Statement check = catalogue.database().sql("PRAGMA integrity_check(1)");
     if (check.next()) check >> found;
     return found;
   });
   if (!pages) return pages.error();
-  if (*pages != "ok") return damagedCatalogue(*pages, catalogue.database().file());
+  if (*pages != "ok") return store::damagedCatalogue(*pages, catalogue.database().file());
   const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
   if (!known) return known.error();
   CheckedFiles result;
@@ -141,17 +141,17 @@ Result<CheckedFiles> checkShare(const Catalogue& catalogue, const fs::path& fold
   return result;
 }
 
-Result<void> checkPaths(const Catalogue& catalogue) {
+Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
   return catalogue.database().door([&] {
-    Statement rows = catalogue.database().sql(
+    store::Statement rows = catalogue.database().sql(
         "SELECT path FROM file UNION SELECT path FROM photograph UNION SELECT path FROM scan "
         "UNION SELECT model_path FROM sherd UNION SELECT preview_path FROM sherd");
     while (rows.next()) {
       std::string path;
       rows >> path;
-      if (!path.empty()) valueOrThrow(checkedPath(path));
+      if (!path.empty()) catalogue::valueOrThrow(store::checkedPath(path));
     }
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -12,7 +12,7 @@
 #include "catalogue/catalogue.h"
 #include "files/checksum.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 
 /// A file that the catalogue knows, with the numbers by which people know what it is of.
 struct KnownFile {
@@ -22,7 +22,7 @@ struct KnownFile {
 };
 /// In the order of their paths. Without the scans and reports of batches that wait to be computed
 /// or are being computed: those are replaced before the catalogue knows the new ones.
-Result<std::vector<KnownFile>> knownFiles(const Catalogue& catalogue);
+Result<std::vector<KnownFile>> knownFiles(const catalogue::Catalogue& catalogue);
 
 enum class Damage { Missing, Changed, Unreadable };
 struct DamagedFile {
@@ -44,17 +44,19 @@ struct CheckedFiles {
 /// All of them, against what the catalogue holds. Progress counts bytes. A check of hashes that was
 /// interrupted in the last seven days goes on where it stood, which FOLDER/file-checks.txt keeps;
 /// what was damaged is looked at again. Errors: Cancelled, those of the catalogue.
-Result<CheckedFiles> checkFiles(const Catalogue& catalogue, const std::filesystem::path& folder,
-                                CheckDepth depth, Progress& progress, std::stop_token stop);
+Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue,
+                                const std::filesystem::path& folder, CheckDepth depth,
+                                Progress& progress, std::stop_token stop);
 
 /// Every page of the catalogue, then a share of them: those that were damaged when last looked at,
 /// then those that were not looked at for longest, until most_bytes are read. Errors: Damaged (the
 /// catalogue itself), Cancelled, those of the catalogue.
-Result<CheckedFiles> checkShare(const Catalogue& catalogue, const std::filesystem::path& folder,
-                                std::int64_t most_bytes, Progress& progress, std::stop_token stop);
+Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue,
+                                const std::filesystem::path& folder, std::int64_t most_bytes,
+                                Progress& progress, std::stop_token stop);
 
 /// That every path in the catalogue stays within the project: a catalogue from elsewhere may say
 /// anything.
-Result<void> checkPaths(const Catalogue& catalogue);
+Result<void> checkPaths(const catalogue::Catalogue& catalogue);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -9,7 +9,7 @@
 
 #include "files/files.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ void FileCheckLog::end(std::int64_t at_ms) {
   write(roundLine("end", at_ms));
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

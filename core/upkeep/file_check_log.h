@@ -8,7 +8,7 @@
 #include "files/open_folder.h"
 #include "upkeep/file_check.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 
 /// When each file was looked at last, and what was found: PROJECT/file-checks.txt, a line at a
 /// time, so that a check that is killed has lost nothing. It holds nothing that cannot be found
@@ -40,4 +40,4 @@ class FileCheckLog {
   bool is_cut_off_ = false;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

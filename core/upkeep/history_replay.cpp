@@ -6,20 +6,21 @@
 #include "store/database.h"
 #include "upkeep/row_repair.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 using From = RepairedRow::From;
 
 struct Change {
   std::string field, value;
-  PersonRow by;
+  store::PersonRow by;
 };
 
 // The last value of each field, in the order in which they were changed last.
-std::vector<Change> changesOf(Database& database, const RepairedRow& row, std::int64_t after) {
+std::vector<Change> changesOf(store::Database& database, const RepairedRow& row,
+                              std::int64_t after) {
   std::vector<Change> all;
-  Statement rows = database.sql(
+  store::Statement rows = database.sql(
       "SELECT field, new, person FROM history h WHERE table_name = ?1 AND row = ?2 AND number > ?3 "
       "AND number = (SELECT max(number) FROM history WHERE table_name = ?1 AND row = ?2 AND field "
       "= h.field) ORDER BY number");
@@ -35,36 +36,37 @@ std::vector<Change> changesOf(Database& database, const RepairedRow& row, std::i
 // False where the change itself is refused. A full disk ends everything.
 template <class Value>
 bool isDone(const Result<Value>& change) {
-  if (!change && change.error().code == ErrorCode::CannotWrite) throw Refused(change.error());
+  if (!change && change.error().code == ErrorCode::CannotWrite)
+    throw store::Refused(change.error());
   return change.has_value();
 }
 
 // Its uuid is what the history says first of a new sherd.
-bool addSherdOfHistory(Catalogue& repaired, std::int64_t row) {
-  Database& database = repaired.database();
-  Statement first = database.sql(
+bool addSherdOfHistory(catalogue::Catalogue& repaired, std::int64_t row) {
+  store::Database& database = repaired.database();
+  store::Statement first = database.sql(
       "SELECT new, at, person FROM history WHERE table_name = 'sherd' AND row = ? AND field = ''");
   if (!first.with(row).next()) return false;
   std::string id;
   std::int64_t at = 0;
-  PersonRow by;
+  store::PersonRow by;
   first >> id >> at >> by;
   const Result<void> added = database.inTransaction([&] {
     database
         .sql(
             "INSERT INTO sherd (row, id, created_at, created_by, updated_at, updated_by, "
             "number_sort) VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .with(row, id, at, by, at, by, kBehindAllNumbers)
+        .with(row, id, at, by, at, by, catalogue::kBehindAllNumbers)
         .run();
     database.sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
-    searchAnew(database, SherdRow{row});
+    catalogue::searchAnew(database, store::SherdRow{row});
   });
   return isDone(added);
 }
 
 // A column of another table: numbers are stored as such, and nothing as NULL where that may be.
-bool setColumn(Database& database, const RepairedRow& row, const Change& change) {
-  Statement known = database.sql(
+bool setColumn(store::Database& database, const RepairedRow& row, const Change& change) {
+  store::Statement known = database.sql(
       "SELECT \"notnull\" FROM pragma_table_info(?) WHERE name = ? AND name NOT IN ('row', 'id')");
   if (!known.with(row.table, change.field).next()) return false;
   bool filled = false;
@@ -78,19 +80,20 @@ bool setColumn(Database& database, const RepairedRow& row, const Change& change)
 }
 
 // A place is named by several fields.
-bool changeTogether(Catalogue& repaired, const RepairedRow& row,
+bool changeTogether(catalogue::Catalogue& repaired, const RepairedRow& row,
                     const std::vector<Change>& changes) {
-  std::vector<FieldChange> fields;
+  std::vector<records::FieldChange> fields;
   for (const Change& change : changes)
-    fields.push_back({SherdRow{row.row}, change.field, change.value});
-  const PersonRow by = changes.empty() ? PersonRow{} : changes.back().by;
+    fields.push_back({store::SherdRow{row.row}, change.field, change.value});
+  const store::PersonRow by = changes.empty() ? store::PersonRow{} : changes.back().by;
   return isDone(repaired.change(fields, {by, "repair", {}}));
 }
 
 }  // namespace
 
-Result<void> replayHistory(Catalogue& repaired, std::int64_t last_known, RepairReport& report) {
-  Database& database = repaired.database();
+Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_known,
+                           RepairReport& report) {
+  store::Database& database = repaired.database();
   std::vector<RepairedRow> unknown;
   const Result<void> done = database.door([&] {
     for (RepairedRow& row : report.rows) {
@@ -113,18 +116,18 @@ Result<void> replayHistory(Catalogue& repaired, std::int64_t last_known, RepairR
   if (!done) return done;
   report.rows.insert(report.rows.end(), unknown.begin(), unknown.end());
   return database.inTransaction([&] {
-    std::vector<SherdRow> numberless;
+    std::vector<store::SherdRow> numberless;
     {
-      Statement rows = database.sql(
+      store::Statement rows = database.sql(
           "SELECT row FROM sherd WHERE number <> '' AND row NOT IN (SELECT sherd FROM "
           "given_number)");
       while (rows.next()) rows >> numberless.emplace_back();
     }
-    for (const SherdRow& row : numberless) {
-      const SherdRecord sherd = valueOrThrow(repaired.sherd(row));
-      setNumber(repaired, sherd, sherd.number);
+    for (const store::SherdRow& row : numberless) {
+      const records::SherdRecord sherd = catalogue::valueOrThrow(repaired.sherd(row));
+      catalogue::setNumber(repaired, sherd, sherd.number);
     }
   });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

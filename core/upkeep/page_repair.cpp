@@ -11,12 +11,12 @@
 #include "files/files.h"
 #include "store/page_checksums.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Page = std::array<unsigned char, kPageBytes>;
+using Page = std::array<unsigned char, store::kPageBytes>;
 // sqlite.org/fileformat2.html, sections 1.3 and 1.6.
 constexpr std::size_t kPageCount = 28, kRootHeader = 100;
 constexpr unsigned char kInnerTablePage = 5;
@@ -30,20 +30,21 @@ class PageFile {
       : path_(path), file_(path, std::ios::binary | mode) {
     std::error_code ignored;
     const std::uintmax_t bytes = fs::file_size(path, ignored);
-    if (!ignored) pages_ = static_cast<std::uint32_t>((bytes + kPageBytes - 1) / kPageBytes);
+    if (!ignored)
+      pages_ = static_cast<std::uint32_t>((bytes + store::kPageBytes - 1) / store::kPageBytes);
   }
   std::uint32_t pages() const { return pages_; }
   /// Zeros where the file ends.
   Page read(std::uint32_t number) {
     Page page{};
     file_.clear();
-    file_.seekg(static_cast<std::streamoff>((number - 1) * kPageBytes));
+    file_.seekg(static_cast<std::streamoff>((number - 1) * store::kPageBytes));
     file_.read(reinterpret_cast<char*>(page.data()), static_cast<std::streamsize>(page.size()));
     return page;
   }
   bool write(std::uint32_t number, const Page& page) {
     file_.clear();
-    file_.seekp(static_cast<std::streamoff>((number - 1) * kPageBytes));
+    file_.seekp(static_cast<std::streamoff>((number - 1) * store::kPageBytes));
     errno = 0;
     file_.write(reinterpret_cast<const char*>(page.data()), page.size());
     file_.flush();
@@ -67,28 +68,28 @@ std::uint32_t pageNumberAt(const Page& page, std::size_t at) {
 
 // The one bit whose turning makes the page what its checksum says. Where two do, neither is proven.
 bool turnBackOneBit(Page& page, std::uint32_t number) {
-  const std::uint64_t wanted = storedChecksum(page.data());
+  const std::uint64_t wanted = store::storedChecksum(page.data());
   if (std::all_of(page.begin(), page.end(), [](unsigned char byte) { return byte == 0; }))
     return false;  // never written: no page is one bit from that
   std::optional<std::size_t> found;
   const auto turn = [&page](std::size_t bit) {
     page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
   };
-  for (std::size_t bit = 0; bit < 8 * (kPageBytes - kReservedBytes); ++bit) {
+  for (std::size_t bit = 0; bit < 8 * (store::kPageBytes - store::kReservedBytes); ++bit) {
     turn(bit);
-    const bool fits = pageChecksum(page.data(), number) == wanted;
+    const bool fits = store::pageChecksum(page.data(), number) == wanted;
     turn(bit);
     if (!fits) continue;
     if (found) return false;
     found = bit;
   }
-  const std::uint64_t wrong = wanted ^ pageChecksum(page.data(), number);
+  const std::uint64_t wrong = wanted ^ store::pageChecksum(page.data(), number);
   const bool of_the_checksum = (wrong & (wrong - 1)) == 0;
   if (of_the_checksum == found.has_value()) return false;
   if (found)
     turn(*found);
   else
-    storeChecksum(page.data(), number);
+    store::storeChecksum(page.data(), number);
   return true;
 }
 
@@ -100,9 +101,9 @@ std::vector<std::uint32_t> schemaPages(const Page& root) {
   pages.push_back(pageNumberAt(root, kRootHeader + 8));
   for (std::size_t i = 0; i < cells; ++i) {
     const std::size_t at = kRootHeader + 12 + 2 * i;
-    if (at + 2 > kPageBytes) break;
+    if (at + 2 > store::kPageBytes) break;
     const std::size_t cell = std::size_t{root[at]} << 8 | root[at + 1];
-    if (cell + 4 <= kPageBytes) pages.push_back(pageNumberAt(root, cell));
+    if (cell + 4 <= store::kPageBytes) pages.push_back(pageNumberAt(root, cell));
   }
   return pages;
 }
@@ -115,7 +116,7 @@ Result<PageRepair> repairPages(const fs::path& path, std::span<const fs::path> b
   std::uint32_t pages = file.pages();
   for (std::uint32_t number = 1; number <= pages; ++number) {
     Page page = file.read(number);
-    bool whole = isWholePage(page.data(), number);
+    bool whole = store::isWholePage(page.data(), number);
     if (!whole && repair.lost.size() < kMostTried && turnBackOneBit(page, number)) {
       whole = true;
       ++repair.by_bit;
@@ -124,8 +125,8 @@ Result<PageRepair> repairPages(const fs::path& path, std::span<const fs::path> b
     for (const fs::path& backup : backups) {
       if (whole) break;
       Page other = PageFile(backup, std::ios::in).read(number);
-      if (!isWholePage(other.data(), number) ||
-          storedChecksum(other.data()) != storedChecksum(page.data()))
+      if (!store::isWholePage(other.data(), number) ||
+          store::storedChecksum(other.data()) != store::storedChecksum(page.data()))
         continue;
       whole = true;
       ++repair.by_backup;
@@ -152,11 +153,11 @@ Result<bool> takeSchemaPages(const fs::path& path, const PageRepair& repair,
       const std::uint32_t pages = file.pages();
       for (std::size_t i = 0; i < 4; ++i)
         page[kPageCount + i] = static_cast<unsigned char>(pages >> (24 - 8 * i));
-      storeChecksum(page.data(), 1);
+      store::storeChecksum(page.data(), 1);
     }
     if (!file.write(number, page)) return file.cannotBeWritten();
   }
   return true;
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

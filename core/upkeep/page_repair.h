@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 
 /// What the checksums of a damaged catalogue's pages prove.
 struct PageRepair {
@@ -25,4 +25,4 @@ Result<PageRepair> repairPages(const std::filesystem::path& file,
 Result<bool> takeSchemaPages(const std::filesystem::path& file, const PageRepair& repair,
                              const std::filesystem::path& backup);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -17,7 +17,7 @@
 #include "store/values.h"
 #include "upkeep/backups.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFile = "catalogue.sqlite";
 constexpr std::array<const char*, 3> kFolders = {"batches", "results", "backups"};
 
-Catalogue::Clock orSystemClock(const Catalogue::Clock& clock) {
+catalogue::Catalogue::Clock orSystemClock(const catalogue::Catalogue::Clock& clock) {
   if (clock) return clock;
   return [] {
     return std::int64_t{std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -39,7 +39,7 @@ Error refused(std::string what, const fs::path& where) {
 }
 
 Result<void> checkFolder(const fs::path& folder) {
-  if (const std::string share = networkShareOf(fs::absolute(folder)); !share.empty())
+  if (const std::string share = store::networkShareOf(fs::absolute(folder)); !share.empty())
     return refused("The folder is on a network share (" + share +
                        "), which can damage catalogues; use a folder on this computer's own disk "
                        "and copy backups to the share.",
@@ -47,18 +47,20 @@ Result<void> checkFolder(const fs::path& folder) {
   return {};
 }
 
-Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& clock) {
-  using Mode = Database::Mode;
+Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
+                                           const catalogue::Catalogue::Clock& clock) {
+  using Mode = store::Database::Mode;
   const fs::path file = folder / kFile;
   std::error_code code;
   if (!fs::is_regular_file(file, code))
     return refused("Not an Ostraka project: this folder has no catalogue.sqlite.", folder);
   const bool writable = mayBeWritten(folder) && mayBeWritten(file);
-  Result<std::unique_ptr<Database>> database =
-      Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
+  Result<std::unique_ptr<store::Database>> database =
+      store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
   if (!database) return database.error();
-  Result<Catalogue> catalogue = Catalogue(std::move(*database), orSystemClock(clock));
-  const auto isOld = [&] { return catalogue->schemaVersion() < migrations().back().number; };
+  Result<catalogue::Catalogue> catalogue =
+      catalogue::Catalogue(std::move(*database), orSystemClock(clock));
+  const auto isOld = [&] { return catalogue->schemaVersion() < store::migrations().back().number; };
   if (!writable && isOld())
     return refused(
         "An older Ostraka made this project, and it is read-only here; copy it to a folder that "
@@ -73,16 +75,17 @@ Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& 
   if (!catalogue->database().hasChecksums()) {
     if (const Result<void> done = save(); !done) return done.error();
     catalogue = refused({}, {});  // closes it
-    if (const Result<void> done = addPageChecksums(file); !done) return done.error();
-    database = Database::open(file, Mode::ReadWrite);
+    if (const Result<void> done = store::addPageChecksums(file); !done) return done.error();
+    database = store::Database::open(file, Mode::ReadWrite);
     if (!database) return database.error();
-    catalogue = Catalogue(std::move(*database), orSystemClock(clock));
+    catalogue = catalogue::Catalogue(std::move(*database), orSystemClock(clock));
   }
-  if (const Result<void> done = migrate(catalogue->database(), migrations(), save); !done)
+  if (const Result<void> done = store::migrate(catalogue->database(), store::migrations(), save);
+      !done)
     return done.error();
-  const Result<ProjectRecord> record = catalogue->project();
+  const Result<records::ProjectRecord> record = catalogue->project();
   if (!record) return record.error();
-  if (record->id.empty()) return damagedCatalogue("it contains no project", file);
+  if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
   return catalogue;
 }
 
@@ -93,7 +96,7 @@ bool isFree(const fs::path& folder) {
     const std::string name = entry.path().filename().string();
     const bool ours = std::find(kFolders.begin(), kFolders.end(), name) != kFolders.end();
     if (ours ? !fs::is_directory(entry.symlink_status()) || !fs::is_empty(entry.path(), code)
-             : !PartialFile::isLeftover(entry.path()))
+             : !store::PartialFile::isLeftover(entry.path()))
       return false;
   }
   return !code;
@@ -101,8 +104,8 @@ bool isFree(const fs::path& folder) {
 
 }  // namespace
 
-Result<Project> Project::create(const fs::path& folder, const ProjectRecord& record,
-                                const Catalogue::Clock& clock) {
+Result<Project> Project::create(const fs::path& folder, const records::ProjectRecord& record,
+                                const catalogue::Catalogue::Clock& clock) {
   std::error_code code;
   const bool there = fs::exists(folder, code);
   if (there && (!fs::is_directory(folder, code) || !isFree(folder)))
@@ -122,21 +125,21 @@ Result<Project> Project::create(const fs::path& folder, const ProjectRecord& rec
                      "The folder cannot be created; choose a location that you can write to.",
                      folder.string()});
   }
-  PartialFile::removeLeftovers(folder);
+  store::PartialFile::removeLeftovers(folder);
   const auto make = [&]() -> Result<void> {
-    Result<PartialFile> file = PartialFile::beside(folder / kFile);
+    Result<store::PartialFile> file = store::PartialFile::beside(folder / kFile);
     if (!file) return file.error();
     {
-      Result<std::unique_ptr<Database>> database =
-          Database::open(file->path(), Database::Mode::Create);
+      Result<std::unique_ptr<store::Database>> database =
+          store::Database::open(file->path(), store::Database::Mode::Create);
       if (!database) return database.error();
-      const Result<void> ready = migrate(**database, migrations(), {});
+      const Result<void> ready = store::migrate(**database, store::migrations(), {});
       if (!ready) return ready;
-      Catalogue catalogue(std::move(*database), orSystemClock(clock));
+      catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
       const Result<void> set = catalogue.setProject(record, {{}, "new project", {}});
       if (!set) return set;
     }
-    return file->become(folder / kFile, PartialFile::Existing::Refused);
+    return file->become(folder / kFile, store::PartialFile::Existing::Refused);
   };
   if (const Result<void> made = make(); !made) return undone(made.error());
   Result<Project> opened = open(folder, clock);
@@ -146,12 +149,13 @@ Result<Project> Project::create(const fs::path& folder, const ProjectRecord& rec
   return undone(opened.error());
 }
 
-Result<Project> Project::open(const fs::path& folder, const Catalogue::Clock& clock) {
+Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue::Clock& clock) {
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
-  Result<Catalogue> catalogue = openCatalogue(folder, clock);
+  Result<catalogue::Catalogue> catalogue = openCatalogue(folder, clock);
   if (!catalogue) return catalogue.error();
   if (!catalogue->readOnly())
-    for (const fs::path& place : {folder, folder / "backups"}) PartialFile::removeLeftovers(place);
+    for (const fs::path& place : {folder, folder / "backups"})
+      store::PartialFile::removeLeftovers(place);
   return Project(fs::absolute(folder), std::move(*catalogue));
 }
 
@@ -160,11 +164,11 @@ bool Project::isProject(const fs::path& folder) {
   return fs::is_regular_file(folder / kFile, code);
 }
 
-Result<Catalogue> Project::connect() const {
+Result<catalogue::Catalogue> Project::connect() const {
   return connect(folder_);
 }
 
-Result<Catalogue> Project::connect(const fs::path& folder) {
+Result<catalogue::Catalogue> Project::connect(const fs::path& folder) {
   return openCatalogue(folder, {});
 }
 
@@ -179,10 +183,10 @@ fs::path Project::absolute(const std::string& relative) const {
 }
 
 Result<std::string> Project::relative(const fs::path& absolute) const {
-  const Result<std::string> path = checkedPath(
+  const Result<std::string> path = store::checkedPath(
       fs::absolute(absolute).lexically_normal().lexically_relative(folder_).generic_string());
   if (!path) return refused("This file is outside the project's folder.", absolute);
   return path;
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 
 /// A project is a folder:
 ///   catalogue.sqlite
@@ -20,21 +20,22 @@ class Project {
   /// Makes the folder (new or empty); its catalogue gets its name last, so that a killed process
   /// leaves nothing that is a project, and the same call makes it. Errors: UnusableInput (not
   /// empty, code, numbering), a folder on a network share, CannotWrite.
-  static Result<Project> create(const std::filesystem::path& folder, const ProjectRecord& record,
-                                const Catalogue::Clock& clock = {});
+  static Result<Project> create(const std::filesystem::path& folder,
+                                const records::ProjectRecord& record,
+                                const catalogue::Catalogue::Clock& clock = {});
   /// Opens it; an older schema is brought up to date after a backup, a newer one is refused. Where
   /// nothing can be written it is open for reading only (catalogue().readOnly()). Error: Damaged,
   /// see catalogue/repair.h.
   static Result<Project> open(const std::filesystem::path& folder,
-                              const Catalogue::Clock& clock = {});
+                              const catalogue::Catalogue::Clock& clock = {});
   static bool isProject(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }
-  Catalogue& catalogue() { return catalogue_; }
-  const Catalogue& catalogue() const { return catalogue_; }
+  catalogue::Catalogue& catalogue() { return catalogue_; }
+  const catalogue::Catalogue& catalogue() const { return catalogue_; }
   /// A connection of its own for another thread; callable from any thread.
-  Result<Catalogue> connect() const;
-  static Result<Catalogue> connect(const std::filesystem::path& folder);
+  Result<catalogue::Catalogue> connect() const;
+  static Result<catalogue::Catalogue> connect(const std::filesystem::path& folder);
 
   std::filesystem::path batchFolder(const std::string& number) const;
   std::filesystem::path resultsFolder(const std::string& number) const;
@@ -53,10 +54,10 @@ class Project {
   std::vector<std::filesystem::path> backups() const;
 
  private:
-  Project(std::filesystem::path folder, Catalogue catalogue)
+  Project(std::filesystem::path folder, catalogue::Catalogue catalogue)
       : folder_(std::move(folder)), catalogue_(std::move(catalogue)) {}
   std::filesystem::path folder_;
-  Catalogue catalogue_;
+  catalogue::Catalogue catalogue_;
 };
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

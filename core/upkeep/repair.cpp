@@ -19,7 +19,7 @@
 #include "upkeep/project.h"
 #include "upkeep/row_repair.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,7 +50,8 @@ bool isInUse(const fs::path& file) {
 
 class Repair {
  public:
-  Repair(fs::path project, Progress& progress, std::stop_token stop, Catalogue::Clock clock)
+  Repair(fs::path project, Progress& progress, std::stop_token stop,
+         catalogue::Catalogue::Clock clock)
       : project_(std::move(project)),
         file_(project_ / "catalogue.sqlite"),
         progress_(progress),
@@ -59,9 +60,9 @@ class Repair {
 
   Result<RepairReport> run() {
     std::error_code failed;
-    Result<PartialFile> fresh = PartialFile::beside(file_);
+    Result<store::PartialFile> fresh = store::PartialFile::beside(file_);
     if (!fresh) return fresh.error();
-    Result<PartialFile> copy = PartialFile::beside(file_);
+    Result<store::PartialFile> copy = store::PartialFile::beside(file_);
     if (!copy) return copy.error();
     fs::copy_file(file_, copy->path(), fs::copy_options::overwrite_existing, failed);
     if (!failed && fs::exists(file_.string() + kWal))
@@ -69,7 +70,7 @@ class Repair {
     if (failed) return cannotWrite(file_, failed.value());
     progress_.report(0, 4);
     // Pages of before the checksums prove nothing.
-    if (const auto old = lookAtHeader(file_); old && *old == Pages::Plain)
+    if (const auto old = store::lookAtHeader(file_); old && *old == store::Pages::Plain)
       if (const Result<bool> whole = isWhole(copy->path()); whole && *whole) return report_;
     if (Result<void> found = findBackups(); !found) return found.error();
     const Result<PageRepair> pages = repairPages(copy->path(), backups_);
@@ -96,10 +97,10 @@ class Repair {
   }
 
  private:
-  Result<Catalogue> opened(const fs::path& file, Database::Mode mode) const {
-    Result<std::unique_ptr<Database>> database = Database::open(file, mode);
+  Result<catalogue::Catalogue> opened(const fs::path& file, store::Database::Mode mode) const {
+    Result<std::unique_ptr<store::Database>> database = store::Database::open(file, mode);
     if (!database) return database.error();
-    return Catalogue(std::move(*database), clock_);
+    return catalogue::Catalogue(std::move(*database), clock_);
   }
 
   // A disk that takes nothing says nothing of the file.
@@ -110,7 +111,7 @@ class Repair {
   }
 
   Result<void> checked(const fs::path& file) const {
-    const Result<Catalogue> catalogue = opened(file, Database::Mode::ReadWrite);
+    const Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
     return catalogue ? catalogue->checkIntegrity() : catalogue.error();
   }
 
@@ -119,7 +120,8 @@ class Repair {
     backups_ = backupsOf(project_);
     for (const fs::path& backup : backups_) {
       if (stop_.stop_requested()) return Error::cancelled();
-      const Result<Catalogue> catalogue = opened(backup, Database::Mode::ReadOnly);
+      const Result<catalogue::Catalogue> catalogue =
+          opened(backup, store::Database::Mode::ReadOnly);
       if (!catalogue || !catalogue->checkIntegrity()) continue;
       base_ = backup;
       break;
@@ -127,7 +129,8 @@ class Repair {
     return {};
   }
 
-  Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages, PartialFile& fresh) {
+  Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages,
+                        store::PartialFile& fresh) {
     if (base_.empty())
       return Error{ErrorCode::Damaged,
                    "The catalogue is damaged, and none of its backups is intact; copy one from an "
@@ -135,10 +138,10 @@ class Repair {
                    file_.string()};
     report_.backup = base_;
     // The backup itself stays as it is: an older one is brought to this program's schema first.
-    Result<PartialFile> base = PartialFile::beside(file_);
+    Result<store::PartialFile> base = store::PartialFile::beside(file_);
     if (!base) return base.error();
     {
-      const Result<Catalogue> original = opened(base_, Database::Mode::ReadOnly);
+      const Result<catalogue::Catalogue> original = opened(base_, store::Database::Mode::ReadOnly);
       if (!original) return original.error();
       if (Result<void> copied =
               original->database().door([&] { original->database().copyTo(base->path()); });
@@ -151,7 +154,7 @@ class Repair {
     report_.all_from_backup = !*rows;
     if (!*rows) {
       report_.rows.clear();
-      Result<Catalogue> source = opened(base->path(), Database::Mode::ReadWrite);
+      Result<catalogue::Catalogue> source = opened(base->path(), store::Database::Mode::ReadWrite);
       if (!source) return source.error();
       fs::resize_file(fresh.path(), 0);
       return source->database().door([&] { source->database().copyTo(fresh.path()); });
@@ -160,10 +163,11 @@ class Repair {
   }
 
   Result<void> bringUpToDate(const fs::path& file) const {
-    if (Result<void> checked = addPageChecksums(file); !checked) return checked;
-    Result<Catalogue> catalogue = opened(file, Database::Mode::ReadWrite);
+    if (Result<void> checked = store::addPageChecksums(file); !checked) return checked;
+    Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
     if (!catalogue) return catalogue.error();
-    return migrate(catalogue->database(), migrations(), []() -> Result<void> { return {}; });
+    return store::migrate(catalogue->database(), store::migrations(),
+                          []() -> Result<void> { return {}; });
   }
 
   // False where the damaged file says nothing that fits together.
@@ -172,20 +176,22 @@ class Repair {
     if (static_cast<int>(pages.lost.size()) >= pages.pages) return false;
     if (const Result<bool> schema = takeSchemaPages(damaged, pages, base); !schema || !*schema)
       return schema;
-    const Result<Catalogue> lost = opened(damaged, Database::Mode::ReadWrite);
-    Result<Catalogue> backup = opened(base, Database::Mode::ReadWrite);
+    const Result<catalogue::Catalogue> lost = opened(damaged, store::Database::Mode::ReadWrite);
+    Result<catalogue::Catalogue> backup = opened(base, store::Database::Mode::ReadWrite);
     if (!lost || !backup || lost->schemaVersion() != backup->schemaVersion()) return false;
-    Result<std::unique_ptr<Database>> database = Database::open(fresh, Database::Mode::Create);
+    Result<std::unique_ptr<store::Database>> database =
+        store::Database::open(fresh, store::Database::Mode::Create);
     if (!database) return database.error();
-    if (const Result<void> made = migrate(**database, migrations(), {}); !made) return made.error();
+    if (const Result<void> made = store::migrate(**database, store::migrations(), {}); !made)
+      return made.error();
     if (const Result<void> rows =
             collectRows(lost->database(), backup->database(), **database, report_);
         !rows)
       return notForTheDisk(rows.error());
-    Catalogue repaired(std::move(*database), clock_);
+    catalogue::Catalogue repaired(std::move(*database), clock_);
     const Result<std::int64_t> last = backup->database().door([&] {
       std::int64_t number = 0;
-      Statement row = backup->database().sql("SELECT max(number) FROM history");
+      store::Statement row = backup->database().sql("SELECT max(number) FROM history");
       if (row.next()) row >> number;
       return number;
     });
@@ -202,7 +208,7 @@ class Repair {
     return false;
   }
 
-  void nameRows(Database& database) {
+  void nameRows(store::Database& database) {
     const std::map<std::string, std::string> names = {
         {"sherd", "number"},    {"batch", "number"}, {"context", "number"}, {"bag", "number"},
         {"site", "code"},       {"trench", "code"},  {"file", "path"},      {"scan", "path"},
@@ -210,7 +216,7 @@ class Repair {
     for (RepairedRow& row : report_.rows) {
       const auto name = names.find(row.table);
       if (name == names.end() || row.row == 0) continue;
-      Statement found =
+      store::Statement found =
           database.sql("SELECT " + name->second + " FROM " + row.table + " WHERE row = ?");
       if (found.with(row.row).next()) found >> row.name;
     }
@@ -218,9 +224,10 @@ class Repair {
 
   // A copy lies among the backups first, and the damaged file beside the project's: killed at any
   // moment, everything is there. Its WAL must not be left to the new file.
-  Result<void> putInPlace(PartialFile& made) {
+  Result<void> putInPlace(store::PartialFile& made) {
     {
-      const Result<Catalogue> catalogue = opened(made.path(), Database::Mode::ReadWrite);
+      const Result<catalogue::Catalogue> catalogue =
+          opened(made.path(), store::Database::Mode::ReadWrite);
       if (!catalogue) return catalogue.error();
       const Result<fs::path> saved = backUpInto(project_, *catalogue, {});
       if (!saved) return saved.error();
@@ -237,13 +244,13 @@ class Repair {
     if (Result<void> synced = syncFile(report_.damaged); !synced) return synced;
     std::error_code ignored;
     fs::remove(file_.string() + "-shm", ignored);
-    return made.become(file_, PartialFile::Existing::Replaced);
+    return made.become(file_, store::PartialFile::Existing::Replaced);
   }
 
   fs::path project_, file_;
   Progress& progress_;
   std::stop_token stop_;
-  Catalogue::Clock clock_;
+  catalogue::Catalogue::Clock clock_;
   std::vector<fs::path> backups_;
   fs::path base_;
   RepairReport report_;
@@ -252,7 +259,8 @@ class Repair {
 }  // namespace
 
 Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress,
-                                     std::stop_token stop, const Catalogue::Clock& clock) {
+                                     std::stop_token stop,
+                                     const catalogue::Catalogue::Clock& clock) {
   if (!Project::isProject(project))
     return Error{ErrorCode::UnusableInput,
                  "Not an Ostraka project: this folder has no catalogue.sqlite.", project.string()};
@@ -260,8 +268,8 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
     return Error{ErrorCode::Failed,
                  "Another program has this project open; close it there, then repair it.",
                  project.string()};
-  PartialFile::removeLeftovers(project);
+  store::PartialFile::removeLeftovers(project);
   return Repair(fs::absolute(project), progress, std::move(stop), clock ? clock : systemTime).run();
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

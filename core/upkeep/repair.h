@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 
 /// A row that lay on a page which could not be set right.
 struct RepairedRow {
@@ -38,6 +38,7 @@ struct RepairReport {
 /// as it is. Errors: in use, no whole backup where one is needed, CannotWrite, Cancelled; then
 /// everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
-                                     std::stop_token stop, const Catalogue::Clock& clock = {});
+                                     std::stop_token stop,
+                                     const catalogue::Catalogue::Clock& clock = {});
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

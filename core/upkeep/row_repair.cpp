@@ -8,7 +8,7 @@
 #include "catalogue/sherd_columns.h"
 #include "store/database.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 using From = RepairedRow::From;
@@ -22,16 +22,16 @@ struct CatalogueTable {
   std::vector<std::string> columns;
 };
 
-std::int64_t numberOf(Database& database, const std::string& sql) {
+std::int64_t numberOf(store::Database& database, const std::string& sql) {
   std::int64_t number = 0;
-  Statement row = database.sql(sql);
+  store::Statement row = database.sql(sql);
   if (row.next()) row >> number;
   return number;
 }
 
-std::vector<std::string> textsOf(Database& database, const std::string& sql) {
+std::vector<std::string> textsOf(store::Database& database, const std::string& sql) {
   std::vector<std::string> all;
-  Statement rows = database.sql(sql);
+  store::Statement rows = database.sql(sql);
   while (rows.next()) {
     all.emplace_back();
     rows >> all.back();
@@ -39,9 +39,9 @@ std::vector<std::string> textsOf(Database& database, const std::string& sql) {
   return all;
 }
 
-std::vector<CatalogueTable> tablesOf(Database& database) {
+std::vector<CatalogueTable> tablesOf(store::Database& database) {
   std::vector<CatalogueTable> all;
-  Statement tables = database.sql(
+  store::Statement tables = database.sql(
       "SELECT name, wr FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND name "
       "NOT LIKE 'sqlite_%' ORDER BY name");
   while (tables.next()) {
@@ -50,7 +50,7 @@ std::vector<CatalogueTable> tablesOf(Database& database) {
     tables >> table.name >> without_rows;
     if (kDerived.contains(table.name)) continue;
     if (!without_rows) table.key = "rowid";
-    Statement columns = database.sql("SELECT name, type, pk FROM pragma_table_info(?)");
+    store::Statement columns = database.sql("SELECT name, type, pk FROM pragma_table_info(?)");
     columns.with(table.name);
     while (columns.next()) {
       std::string name, type;
@@ -67,7 +67,8 @@ std::vector<CatalogueTable> tablesOf(Database& database) {
 
 class Collecting {
  public:
-  Collecting(Database& damaged, Database& backup, Database& fresh, RepairReport& report)
+  Collecting(store::Database& damaged, store::Database& backup, store::Database& fresh,
+             RepairReport& report)
       : damaged_(damaged), backup_(backup), fresh_(fresh), report_(report) {}
 
   void rowsOf(const CatalogueTable& table) {
@@ -83,8 +84,8 @@ class Collecting {
 
  private:
   // What cannot be written is no damage: everything ends here, instead of passing rows over.
-  bool insertRow(const Statement& row) {
-    valueOrThrow(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
+  bool insertRow(const store::Statement& row) {
+    catalogue::valueOrThrow(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
     return fresh_.changes() > 0;
   }
 
@@ -93,23 +94,23 @@ class Collecting {
     bool whole = true;
     for (const char* order : {"", " DESC"}) {
       try {
-        Statement rows = damaged_.sql(select_ + " ORDER BY " + table.columns[0] + order + ", " +
-                                      table.columns[1] + order);
+        store::Statement rows = damaged_.sql(select_ + " ORDER BY " + table.columns[0] + order +
+                                             ", " + table.columns[1] + order);
         while (rows.next()) insertRow(rows);
         if (whole) return;
-      } catch (const SqlFailure&) {
+      } catch (const store::SqlFailure&) {
         whole = false;
       }
     }
-    Statement rows = backup_.sql(select_);
+    store::Statement rows = backup_.sql(select_);
     while (rows.next())
       if (insertRow(rows)) report_.rows.push_back({table.name, 0, {}, {}, From::Backup});
   }
 
-  std::int64_t lastOf(Database& database, const std::string& sql) {
+  std::int64_t lastOf(store::Database& database, const std::string& sql) {
     try {
       return numberOf(database, sql);
-    } catch (const SqlFailure&) {
+    } catch (const store::SqlFailure&) {
       return 0;
     }
   }
@@ -138,7 +139,7 @@ class Collecting {
   // From `next` on; false where a page cannot be read, and then next is the first row missing.
   bool readOn(const CatalogueTable& table, std::int64_t& next) {
     try {
-      Statement rows =
+      store::Statement rows =
           damaged_.sql(select_ + " WHERE " + table.key + " >= ? ORDER BY " + table.key);
       rows.with(next);
       while (rows.next()) {
@@ -147,7 +148,7 @@ class Collecting {
         ++next;
       }
       return true;
-    } catch (const SqlFailure&) {
+    } catch (const store::SqlFailure&) {
       return false;
     }
   }
@@ -155,17 +156,17 @@ class Collecting {
   // Whether the damaged file says what row this is, or that there is none.
   bool readOne(const CatalogueTable& table, std::int64_t row) {
     try {
-      Statement rows = damaged_.sql(select_ + " WHERE " + table.key + " = ?");
+      store::Statement rows = damaged_.sql(select_ + " WHERE " + table.key + " = ?");
       rows.with(row);
       if (rows.next()) insertRow(rows);
       return true;
-    } catch (const SqlFailure&) {
+    } catch (const store::SqlFailure&) {
       return false;
     }
   }
 
   void takeFromBackup(const CatalogueTable& table, std::int64_t row, std::int64_t in_backup) {
-    Statement rows = backup_.sql(select_ + " WHERE " + table.key + " = ?");
+    store::Statement rows = backup_.sql(select_ + " WHERE " + table.key + " = ?");
     rows.with(row);
     if (rows.next() && insertRow(rows))
       report_.rows.push_back({table.name, row, {}, {}, From::Backup});
@@ -173,14 +174,14 @@ class Collecting {
       report_.rows.push_back({table.name, row, {}, {}, From::Nowhere});
   }
 
-  Database& damaged_;
-  Database& backup_;
-  Database& fresh_;
+  store::Database& damaged_;
+  store::Database& backup_;
+  store::Database& fresh_;
   RepairReport& report_;
   std::string columns_, insert_, select_;
 };
 
-void deriveAnew(Database& fresh) {
+void deriveAnew(store::Database& fresh) {
   fresh.script(
       "INSERT INTO sherd_measure (sherd) SELECT row FROM sherd;"
       "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms;");
@@ -191,16 +192,16 @@ void deriveAnew(Database& fresh) {
                  "m.sherd = sherd_measure.sherd AND m.kind = '" +
                  kind + "' AND m.current = 1)");
   fresh.script(std::string("INSERT INTO sherd_text (rowid, words) SELECT sherd, ") +
-               kSearchedWords + " FROM sherd_words");
+               catalogue::kSearchedWords + " FROM sherd_words");
 }
 
 // Rows that point at what is gone: unset where that is allowed, else they go too.
-void dropWhatPointsAtNothing(Database& fresh, RepairReport& report) {
+void dropWhatPointsAtNothing(store::Database& fresh, RepairReport& report) {
   for (;;) {
     std::string table, parent, column, target;
     std::int64_t fitting = 0;
     {
-      Statement broken = fresh.sql(
+      store::Statement broken = fresh.sql(
           "SELECT c.\"table\", c.parent, k.\"from\", ifnull(k.\"to\", 'rowid') FROM "
           "pragma_foreign_key_check c JOIN pragma_foreign_key_list(c.\"table\") k ON k.id = c.fkid "
           "LIMIT 1");
@@ -212,7 +213,7 @@ void dropWhatPointsAtNothing(Database& fresh, RepairReport& report) {
     fitting = numberOf(fresh, "SELECT count(*) FROM " + table + where);
     const Result<void> unset =
         fresh.door([&] { fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where); });
-    if (!unset && unset.error().code == ErrorCode::CannotWrite) throw Refused(unset.error());
+    if (!unset && unset.error().code == ErrorCode::CannotWrite) throw store::Refused(unset.error());
     if (!unset) fresh.script("DELETE FROM " + table + where);
     for (std::int64_t i = 0; i < fitting; ++i)
       report.rows.push_back({table, 0, {}, unset ? column : std::string(), From::Nowhere});
@@ -221,7 +222,7 @@ void dropWhatPointsAtNothing(Database& fresh, RepairReport& report) {
 
 }  // namespace
 
-Result<void> collectRows(Database& damaged, Database& backup, Database& fresh,
+Result<void> collectRows(store::Database& damaged, store::Database& backup, store::Database& fresh,
                          RepairReport& report) {
   if (Result<void> off = fresh.door([&] { fresh.script("PRAGMA foreign_keys = OFF"); }); !off)
     return off;
@@ -242,4 +243,4 @@ Result<void> collectRows(Database& damaged, Database& backup, Database& fresh,
   return fresh.door([&] { fresh.script("PRAGMA foreign_keys = ON"); });
 }
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -2,20 +2,23 @@
 #include "catalogue/catalogue.h"
 #include "upkeep/repair.h"
 
-namespace ostraka::catalogue {
-
+namespace ostraka::store {
 class Database;
+}  // namespace ostraka::store
+
+namespace ostraka::upkeep {
 
 /// Fills `fresh`, whose tables are empty, with the rows of `damaged` that can be read and with
 /// those of `backup` in place of the others. All three have the same schema. What is derived
 /// (search, terms, the sherds' table of measurements) is computed anew; what points at rows that
 /// are gone is unset, or goes with them. Adds to report.rows.
-Result<void> collectRows(Database& damaged, Database& backup, Database& fresh,
+Result<void> collectRows(store::Database& damaged, store::Database& backup, store::Database& fresh,
                          RepairReport& report);
 
 /// Changes rows that came from the backup as the history of `repaired` says that they were changed
 /// afterwards, and adds sherds of which only the history is left. last_known: the number of the
 /// backup's last row of the history.
-Result<void> replayHistory(Catalogue& repaired, std::int64_t last_known, RepairReport& report);
+Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_known,
+                           RepairReport& report);
 
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

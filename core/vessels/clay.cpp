@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 // Linear albedos of fired clays: orange, buff, red, brown, grey, pale.
@@ -182,4 +182,4 @@ ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p, const ClayPlac
           {}};
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -4,7 +4,7 @@
 #include "vessels/gloss.h"
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 
 /// Where on its vessel a point of a sherd lies.
 struct ClayPlace {
@@ -49,4 +49,4 @@ struct ClaySample {
 /// p_model: mm in the sherd's model frame.
 ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p_model, const ClayPlace& place);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

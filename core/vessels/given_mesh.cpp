@@ -7,7 +7,7 @@
 
 #include "cloud/ply.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 constexpr double kSmallest_mm = 5, kLargest_mm = 300;
@@ -107,4 +107,4 @@ Result<VirtualSherd> sherdOfMesh(const std::filesystem::path& file) {
   return sherd;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

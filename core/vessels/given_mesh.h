@@ -4,7 +4,7 @@
 #include "base/result.h"
 #include "vessels/sherd.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 
 inline constexpr double kMostEdge_mm = 1;  ///< as far as places on the plate are told apart
 
@@ -15,4 +15,4 @@ inline constexpr double kMostEdge_mm = 1;  ///< as far as places on the plate ar
 /// or has more than 500,000 triangles.
 Result<VirtualSherd> sherdOfMesh(const std::filesystem::path& file);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

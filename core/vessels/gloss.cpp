@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 constexpr float kGlass = 0.04f;  // reflected at right angles, refractive index 1.5
@@ -30,4 +30,4 @@ Eigen::Vector3f strewnReflection(const Eigen::Vector3f& normal, const Eigen::Vec
   return ray.dot(normal) > 0.02f ? ray : mirrored(normal, to_eye);
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

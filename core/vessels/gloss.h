@@ -3,7 +3,7 @@
 
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 
 /// A shiny layer: how much of the Fresnel reflection of glass it has, and how rough it is.
 struct Gloss {
@@ -22,4 +22,4 @@ inline Eigen::Vector3f mirrored(const Eigen::Vector3f& normal, const Eigen::Vect
 Eigen::Vector3f strewnReflection(const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye,
                                  const Gloss& gloss, std::uint64_t hash);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

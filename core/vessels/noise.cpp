@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 float lattice(int x, int y, int z, std::uint32_t seed) {
@@ -75,4 +75,4 @@ float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves, fl
   return sum;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

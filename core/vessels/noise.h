@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// Chance that depends on nothing but its numbers: the same bytes for any order and any thread.
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 
 /// Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014 (finaliser).
 inline std::uint64_t mixed(std::uint64_t x) {
@@ -65,4 +65,4 @@ float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves, fl
 /// Three independent bits fields of a lattice cell, uniform in [0, 1).
 std::uint32_t cellHash(int x, int y, int z, std::uint32_t seed);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -106,4 +106,4 @@ Eigen::Isometry3d restPose(const TriangleMesh& mesh, const Eigen::Vector3d& up_m
   return pose;
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 // Of one octave's height in that of the next coarser: fractured surfaces are self-affine with an
@@ -354,4 +354,4 @@ VirtualSherd breakOut(const Vessel& vessel, const BreakPlan& plan) {
   return Builder(vessel, plan).build();
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -7,7 +7,7 @@
 #include "vessels/clay.h"
 #include "vessels/vessel.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 
 enum class SherdPart { Wall, Rim, Base };
 const char* name(SherdPart part);
@@ -45,4 +45,4 @@ VirtualSherd breakOut(const Vessel& vessel, const BreakPlan& plan);
 /// Volume enclosed by a closed mesh, mm^3, and its centre of mass.
 double enclosedVolume(const TriangleMesh& mesh, Eigen::Vector3d* centre_of_mass = nullptr);
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

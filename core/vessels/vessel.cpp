@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 using Profile = std::vector<Eigen::Vector2d>;  // (radius, height), mm
@@ -178,4 +178,4 @@ Eigen::Vector3d Vessel::inner(double s, double theta) const {
   return place(s, theta, at(thickness_, s) + uneven + ridge + weathering(p, 17));
 }
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

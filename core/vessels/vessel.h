@@ -4,7 +4,7 @@
 
 #include "vessels/noise.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 
 enum class VesselForm { Bowl, Jar, Jug };
 const char* name(VesselForm form);
@@ -39,4 +39,4 @@ class Vessel {
   std::vector<double> radius_, height_, normal_r_, normal_z_, thickness_;
 };
 
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -60,7 +60,8 @@ std::string encodedJpeg(const cv::Mat& image, const JpegOptions& options) {
 }
 
 std::string photographName(batch::Side side, int camera, int stop) {
-  return std::string(batch::name(side)) + "/" + numbered("cam%d_pos%02d.jpg", camera, stop);
+  return std::string(batch::name(side)) + "/" +
+         rendering::numbered("cam%d_pos%02d.jpg", camera, stop);
 }
 
 Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image,
@@ -79,7 +80,8 @@ Result<void> writePng(const std::filesystem::path& file, const cv::Mat& image) {
 }
 
 Result<void> writePlateAndBoard(const std::filesystem::path& folder) {
-  if (Result<void> r = rig::writePlate(folder / "plate.json", standardPlate()); !r) return r;
+  if (Result<void> r = rig::writePlate(folder / "plate.json", rendering::standardPlate()); !r)
+    return r;
   return rig::writeBoard(folder / "board.json", rig::standardBoard());
 }
 
@@ -94,13 +96,13 @@ std::vector<rig::PosedImage> posedImages(const VirtualRig& rig) {
 }
 
 Result<void> writeTruth(const std::filesystem::path& folder,
-                        const std::vector<VirtualSherd>& sherds, const Layout& layout,
+                        const std::vector<vessels::VirtualSherd>& sherds, const Layout& layout,
                         const std::vector<rig::PosedImage>& images) {
   if (Result<void> r = rig::writeCameras(folder / "cameras.json", images); !r) return r;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < sherds.size(); ++i) {
-    const VirtualSherd& s = sherds[i];
-    const std::string mesh = numbered("sherd%02d.ply", static_cast<int>(i));
+    const vessels::VirtualSherd& s = sherds[i];
+    const std::string mesh = rendering::numbered("sherd%02d.ply", static_cast<int>(i));
     if (Result<void> r = writePly(folder / mesh, s.mesh, "model"); !r) return r;
     nlohmann::ordered_json group;
     if (s.lookalike_group >= 0) group = s.lookalike_group;

@@ -13,7 +13,7 @@ std::string photographName(batch::Side side, int camera, int stop);  ///< "front
 Result<void> writePlateAndBoard(const std::filesystem::path& folder);
 /// cameras.json, sherds.json and the meshes.
 Result<void> writeTruth(const std::filesystem::path& folder,
-                        const std::vector<VirtualSherd>& sherds, const Layout& layout,
+                        const std::vector<vessels::VirtualSherd>& sherds, const Layout& layout,
                         const std::vector<rig::PosedImage>& images);
 std::vector<rig::PosedImage> posedImages(const VirtualRig& rig);
 

@@ -24,7 +24,7 @@ struct Sample {
   bool broken = false;
 };
 
-std::vector<Sample> samplesOf(const VirtualSherd& sherd, int count) {
+std::vector<Sample> samplesOf(const vessels::VirtualSherd& sherd, int count) {
   std::vector<double> area(sherd.mesh.vertices.size(), 0.0);
   for (const auto& t : sherd.mesh.triangles) {
     const Eigen::Vector3f &a = sherd.mesh.vertices[t[0]], &b = sherd.mesh.vertices[t[1]],
@@ -56,7 +56,7 @@ class Look {
 
   // Of each sample the cosine between ray and normal in the least square of enough views of this
   // side; 0: too few views.
-  std::vector<float> side(const Scene& scene, const std::vector<Sample>& samples,
+  std::vector<float> side(const rendering::Scene& scene, const std::vector<Sample>& samples,
                           Tally& tally) const {
     std::vector<float> square(samples.size(), 0);
     std::vector<std::pair<float, std::size_t>> views;  // cosine, view
@@ -102,16 +102,17 @@ class Look {
   std::vector<Eigen::Vector3f> eyes_;
 };
 
-SherdCoverage ofSherd(const VirtualSherd& sherd, const Look& look, const CoverageOptions& options) {
+SherdCoverage ofSherd(const vessels::VirtualSherd& sherd, const Look& look,
+                      const CoverageOptions& options) {
   const std::vector<Sample> samples = samplesOf(sherd, options.points_per_sherd);
   Tally tally;
-  const std::vector<VirtualSherd> alone{sherd};
+  const std::vector<vessels::VirtualSherd> alone{sherd};
   for (const double away : {0.0, kHalfWay_mm}) {
     std::array<std::vector<float>, 2> sides;
     for (const int down : {0, 1}) {
-      Eigen::Isometry3d pose = restPose(sherd.mesh, {0, 0, down == 0 ? 1.0 : -1.0});
+      Eigen::Isometry3d pose = vessels::restPose(sherd.mesh, {0, 0, down == 0 ? 1.0 : -1.0});
       pose.pretranslate(Eigen::Vector3d(away, 0, 0));
-      const Scene scene(alone, {pose});
+      const rendering::Scene scene(alone, {pose});
       sides[down] = look.side(scene, samples, tally);
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -133,7 +134,7 @@ SherdCoverage ofSherd(const VirtualSherd& sherd, const Look& look, const Coverag
 
 // How much of the sherds models can rest on: seen squarely, and with a break that both sides see,
 // which ties them together.
-double promise(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
+double promise(const std::vector<vessels::VirtualSherd>& sherds, const VirtualRig& rig,
                const CoverageOptions& options) {
   double sum = 0;
   for (const SherdCoverage& one : coverage(sherds, rig, options))
@@ -154,8 +155,8 @@ double widestStep(const VirtualRig& rig) {
 
 }  // namespace
 
-std::vector<SherdCoverage> coverage(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
-                                    const CoverageOptions& options) {
+std::vector<SherdCoverage> coverage(const std::vector<vessels::VirtualSherd>& sherds,
+                                    const VirtualRig& rig, const CoverageOptions& options) {
   const Look look(rig, options);
   std::vector<SherdCoverage> found(sherds.size());
   parallelFor(sherds.size(), options.threads,
@@ -169,7 +170,7 @@ Eigen::Isometry3d raised(const Eigen::Isometry3d& camera_from_room, double raise
   return camera_from_room * Eigen::AngleAxisd(-raise_rad, axis);
 }
 
-Result<std::vector<CameraMove>> promisingMoves(const std::vector<VirtualSherd>& sherds,
+Result<std::vector<CameraMove>> promisingMoves(const std::vector<vessels::VirtualSherd>& sherds,
                                                const VirtualRig& rig,
                                                const CoverageOptions& options,
                                                std::stop_token stop) {

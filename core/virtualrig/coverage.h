@@ -26,8 +26,8 @@ struct SherdCoverage {
   double outside = 0;  ///< of points and views: the point lies outside of the picture
 };
 /// Each sherd lies at the plate's middle and half-way to the ring in turn; means of both.
-std::vector<SherdCoverage> coverage(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
-                                    const CoverageOptions& options);
+std::vector<SherdCoverage> coverage(const std::vector<vessels::VirtualSherd>& sherds,
+                                    const VirtualRig& rig, const CoverageOptions& options);
 
 /// One camera carried about the plate's middle, still looking at the same places.
 struct CameraMove {
@@ -42,7 +42,7 @@ struct CameraMove {
 /// step than 26 degrees the move that closes it comes before them, and sherds are seen most
 /// squarely after. Rays tell what may be worth a try, not what models become: that takes
 /// photographs. Errors: Cancelled.
-Result<std::vector<CameraMove>> promisingMoves(const std::vector<VirtualSherd>& sherds,
+Result<std::vector<CameraMove>> promisingMoves(const std::vector<vessels::VirtualSherd>& sherds,
                                                const VirtualRig& rig,
                                                const CoverageOptions& options,
                                                std::stop_token stop);

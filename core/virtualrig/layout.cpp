@@ -47,7 +47,8 @@ class Occupancy {
 };
 
 // One point per mm^2 of the sherd's shadow on the plate, in its rest pose.
-std::vector<Eigen::Vector2d> footprint(const VirtualSherd& sherd, const Eigen::Isometry3d& rest) {
+std::vector<Eigen::Vector2d> footprint(const vessels::VirtualSherd& sherd,
+                                       const Eigen::Isometry3d& rest) {
   std::vector<Eigen::Vector2i> cells;
   for (const Eigen::Vector3f& v : sherd.mesh.vertices) {
     const Eigen::Vector3d p = rest * v.cast<double>();
@@ -84,7 +85,7 @@ double turnTowards(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& rest) {
   return std::atan2(m(1, 0) - m(0, 1), m(0, 0) + m(1, 1));
 }
 
-Eigen::Vector2d inDisc(Random& random, double radius) {
+Eigen::Vector2d inDisc(vessels::Random& random, double radius) {
   const double r = radius * std::sqrt(random.uniform()),
                angle = random.uniform(0, 2 * std::numbers::pi);
   return {r * std::cos(angle), r * std::sin(angle)};
@@ -95,14 +96,14 @@ struct Piece {
   std::vector<Eigen::Vector2d> shape;
 };
 
-Piece laidDown(const VirtualSherd& sherd, const Eigen::Vector3d& up) {
-  const Eigen::Isometry3d rest = restPose(sherd.mesh, up);
+Piece laidDown(const vessels::VirtualSherd& sherd, const Eigen::Vector3d& up) {
+  const Eigen::Isometry3d rest = vessels::restPose(sherd.mesh, up);
   return {rest, footprint(sherd, rest)};
 }
 
 // Slides a piece from this direction towards another one until their surfaces touch.
-std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece& piece,
-                                         const VirtualSherd& other,
+std::optional<Eigen::Isometry2d> against(const vessels::VirtualSherd& moving, const Piece& piece,
+                                         const vessels::VirtualSherd& other,
                                          const Eigen::Isometry3d& other_pose, double direction_rad,
                                          double turn_rad) {
   std::vector<Eigen::Vector3f> points;
@@ -136,7 +137,8 @@ std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece
 
 class Arranger {
  public:
-  Arranger(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options, Random& random)
+  Arranger(const std::vector<vessels::VirtualSherd>& sherds, const SimulateOptions& options,
+           vessels::Random& random)
       : sherds_(sherds),
         options_(options),
         free_(freeArea(options)),
@@ -222,11 +224,11 @@ class Arranger {
     return false;
   }
 
-  const std::vector<VirtualSherd>& sherds_;
+  const std::vector<vessels::VirtualSherd>& sherds_;
   const SimulateOptions& options_;
   const FreeArea free_;
   const bool scramble_;
-  Random& random_;
+  vessels::Random& random_;
   std::vector<int> ups_;
   std::vector<std::pair<std::vector<Eigen::Vector2d>, Eigen::Isometry2d>> laid_;
 };
@@ -240,14 +242,14 @@ double FreeArea::area() const {
 FreeArea freeArea(const SimulateOptions& options) {
   FreeArea free;
   if (!options.hand_held) return free;
-  free.half = paperSize(options.hand_held->sheet) / 2 - Eigen::Vector2d(30.5, 30);
+  free.half = rendering::paperSize(options.hand_held->sheet) / 2 - Eigen::Vector2d(30.5, 30);
   free.radius = std::min(free.half.norm(), 124.0);
   free.half = free.half.cwiseMin(free.radius);
   return free;
 }
 
-Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options,
-                      Random& random) {
+Result<Layout> layOut(const std::vector<vessels::VirtualSherd>& sherds,
+                      const SimulateOptions& options, vessels::Random& random) {
   for (int round = 0; round < 30; ++round) {
     Layout layout;
     Arranger arranger(sherds, options, random);

@@ -27,7 +27,7 @@ FreeArea freeArea(const SimulateOptions& options);
 /// hand would: about the plate's x axis, 3-11 mm and up to 30 degrees off. With scramble, and by
 /// hand over a sheet, they change places and turns at will; options.touching pairs lie against each
 /// other on both sides. Errors: UnusableInput when they do not fit.
-Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options,
-                      Random& random);
+Result<Layout> layOut(const std::vector<vessels::VirtualSherd>& sherds,
+                      const SimulateOptions& options, vessels::Random& random);
 
 }  // namespace ostraka::virtualrig

@@ -76,7 +76,7 @@ SizePrediction& sizeOf(Prediction& prediction, std::size_t sherd, int per_size) 
 Result<std::vector<CameraMove>> lookByRays(const rig::Rig& rig, const SimulateOptions& simulated,
                                            const PredictOptions& options, Prediction& prediction,
                                            std::stop_token stop) {
-  const Result<std::vector<VirtualSherd>> sherds = makeSherds(simulated);
+  const Result<std::vector<vessels::VirtualSherd>> sherds = makeSherds(simulated);
   if (!sherds) return sherds.error();
   const VirtualRig real = asVirtual(rig, rig.cameras.front().intrinsics.width);
   CoverageOptions coverage_options;

@@ -17,21 +17,21 @@ namespace {
 constexpr std::optional<double> kShinyByHand = 0.3;  // share of what people bring to a table
 
 struct Order {
-  VesselForm form = VesselForm::Bowl;
+  vessels::VesselForm form = vessels::VesselForm::Bowl;
   double wall_mm = 6;
   std::uint64_t vessel_seed = 0, clay_seed = 0;
-  BreakPlan plan;
+  vessels::BreakPlan plan;
   int group = -1;
 };
 
 // A place on the vessel where a piece of this part and size can lie.
-void choosePlace(Order& order, Random& random) {
-  Random vessel_random(order.vessel_seed);
-  const Vessel vessel = Vessel::make(order.form, order.wall_mm, vessel_random);
+void choosePlace(Order& order, vessels::Random& random) {
+  vessels::Random vessel_random(order.vessel_seed);
+  const vessels::Vessel vessel = vessels::Vessel::make(order.form, order.wall_mm, vessel_random);
   const double reach = 1.35 * order.plan.radius_mm;
-  if (order.plan.part == SherdPart::Rim) {
+  if (order.plan.part == vessels::SherdPart::Rim) {
     order.plan.s_mm = vessel.length() - order.plan.radius_mm * random.uniform(0.35, 0.7);
-  } else if (order.plan.part == SherdPart::Base) {
+  } else if (order.plan.part == vessels::SherdPart::Base) {
     order.plan.s_mm = vessel.heel() * random.uniform(0.5, 0.95);
   } else {
     const double low = vessel.heel() + reach, high = vessel.length() - reach - 3;
@@ -40,7 +40,7 @@ void choosePlace(Order& order, Random& random) {
 }
 
 // Sizes spread as in a bag of sherds, shrunk together when their area would not fit on the plate.
-std::vector<double> drawRadii(int count, const FreeArea& free, Random& random) {
+std::vector<double> drawRadii(int count, const FreeArea& free, vessels::Random& random) {
   std::vector<double> radii;
   double area = 0;
   for (int i = 0; i < count; ++i) {
@@ -58,14 +58,15 @@ std::optional<double> shinyShare(const SimulateOptions& options) {
   return options.hand_held && !options.gloss ? kShinyByHand : options.gloss;
 }
 
-Result<std::vector<VirtualSherd>> givenMeshes(const SimulateOptions& options) {
-  Random random(mixed(options.seed, 1));
-  std::vector<VirtualSherd> sherds;
+Result<std::vector<vessels::VirtualSherd>> givenMeshes(const SimulateOptions& options) {
+  vessels::Random random(vessels::mixed(options.seed, 1));
+  std::vector<vessels::VirtualSherd> sherds;
   for (const std::filesystem::path& file : options.meshes) {
-    Result<VirtualSherd> sherd = sherdOfMesh(file);
+    Result<vessels::VirtualSherd> sherd = vessels::sherdOfMesh(file);
     if (!sherd) return sherd.error();
-    sherd->clay = makeClay(options.plain, random);
-    if (const std::optional<double> shiny = shinyShare(options)) widen(sherd->clay, *shiny, random);
+    sherd->clay = vessels::makeClay(options.plain, random);
+    if (const std::optional<double> shiny = shinyShare(options))
+      vessels::widen(sherd->clay, *shiny, random);
     sherds.push_back(std::move(*sherd));
   }
   return sherds;
@@ -91,7 +92,7 @@ Eigen::Isometry3d VirtualRig::cameraFromPlate(int camera, int stop) const {
   return camera_from_room[camera] * Eigen::AngleAxisd(angles_rad[stop], Eigen::Vector3d::UnitZ());
 }
 
-VirtualRig makeRig(int width, int stops, Random& random) {
+VirtualRig makeRig(int width, int stops, vessels::Random& random) {
   VirtualRig rig;
   rig.intrinsics.resize(kCameras);
   rig.camera_from_room.resize(kCameras);
@@ -147,7 +148,7 @@ VirtualRig asVirtual(const rig::Rig& rig, int width) {
   return out;
 }
 
-std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random& random) {
+std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, vessels::Random& random) {
   const batch::Board board = rig::standardBoard();
   const Eigen::Vector3d middle(board.squares_x * board.square_mm / 2,
                                board.squares_y * board.square_mm / 2, 0);
@@ -170,9 +171,9 @@ std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random&
   return poses;
 }
 
-Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
+Result<std::vector<vessels::VirtualSherd>> makeSherds(const SimulateOptions& options) {
   if (!options.meshes.empty()) return givenMeshes(options);
-  Random random(mixed(options.seed, 1));
+  vessels::Random random(vessels::mixed(options.seed, 1));
   const std::vector<double> radii = options.radii_mm.empty()
                                         ? drawRadii(options.sherds, freeArea(options), random)
                                         : options.radii_mm;
@@ -186,30 +187,34 @@ Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
       order.plan.relief_seed = random.next();
       continue;
     }
-    order.form = static_cast<VesselForm>(random.below(3));
+    order.form = static_cast<vessels::VesselForm>(random.below(3));
     order.wall_mm = random.uniform(3.6, 8.2) * std::clamp(radii[i] / 26, 0.75, 1.1);
     order.vessel_seed = random.next();
     order.clay_seed = random.next();
     const double part = random.uniform();
-    order.plan.part = part < 0.6 ? SherdPart::Wall : part < 0.85 ? SherdPart::Rim : SherdPart::Base;
+    order.plan.part = part < 0.6    ? vessels::SherdPart::Wall
+                      : part < 0.85 ? vessels::SherdPart::Rim
+                                    : vessels::SherdPart::Base;
     order.plan.radius_mm = radii[i];
     order.plan.relief_mm = random.uniform(0.35, 0.7);
     order.plan.tilt_rad = random.uniform(0.25, 0.5);
     order.plan.outline_seed = random.next();
     order.plan.relief_seed = random.next();
     if (from_end < 2 * options.near_duplicates) order.group = from_end / 2;
-    if (order.form == VesselForm::Jug && order.plan.part != SherdPart::Base && radii[i] > 30)
-      order.form = VesselForm::Jar;
+    if (order.form == vessels::VesselForm::Jug && order.plan.part != vessels::SherdPart::Base &&
+        radii[i] > 30)
+      order.form = vessels::VesselForm::Jar;
     choosePlace(order, random);
   }
   const std::optional<double> shiny = shinyShare(options);
-  std::vector<VirtualSherd> sherds(orders.size());
+  std::vector<vessels::VirtualSherd> sherds(orders.size());
   parallelFor(orders.size(), options.threads, [&](std::size_t i) {
-    Random vessel_random(orders[i].vessel_seed), clay_random(orders[i].clay_seed);
-    const Vessel vessel = Vessel::make(orders[i].form, orders[i].wall_mm, vessel_random);
-    sherds[i] = breakOut(vessel, orders[i].plan);
-    sherds[i].clay = makeClay(options.plain, clay_random);
-    if (shiny) widen(sherds[i].clay, *shiny, clay_random);
+    vessels::Random vessel_random(orders[i].vessel_seed), clay_random(orders[i].clay_seed);
+    const vessels::Vessel vessel =
+        vessels::Vessel::make(orders[i].form, orders[i].wall_mm, vessel_random);
+    sherds[i] = vessels::breakOut(vessel, orders[i].plan);
+    sherds[i].clay = vessels::makeClay(options.plain, clay_random);
+    if (shiny) vessels::widen(sherds[i].clay, *shiny, clay_random);
     sherds[i].lookalike_group = orders[i].group;
   });
   return sherds;

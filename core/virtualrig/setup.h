@@ -24,16 +24,16 @@ struct VirtualRig {
 Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                             double roll_rad);
 /// Three cameras on an arc, drawn by chance around one design.
-VirtualRig makeRig(int width, int stops, Random& random);
+VirtualRig makeRig(int width, int stops, vessels::Random& random);
 /// A calibrated rig, its pictures scaled so that the first camera's have this width.
 VirtualRig asVirtual(const rig::Rig& rig, int width);
 
 /// Twelve positions of the calibration board before a camera: near and far, tilted, into the
 /// corners.
-std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random& random);
+std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, vessels::Random& random);
 
 /// Vessels made and broken: the batch's sherds, largest first, near-duplicates in twos; or the
 /// given meshes, in their order. Errors: those of sherdOfMesh.
-Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options);
+Result<std::vector<vessels::VirtualSherd>> makeSherds(const SimulateOptions& options);
 
 }  // namespace ostraka::virtualrig

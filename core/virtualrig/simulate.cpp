@@ -23,7 +23,7 @@ struct Mishap {
   bool missing = false;
   double kept_share = 1;
   double extra_blur_px = 0;
-  Hand hand;
+  rendering::Hand hand;
 };
 
 Mishap mishapOf(const SimulateOptions& options, batch::Side side, int camera, int stop) {
@@ -56,8 +56,8 @@ Mishap mishapOf(const SimulateOptions& options, batch::Side side, int camera, in
 
 class Studio {
  public:
-  Studio(const SimulateOptions& options, const VirtualRig& rig, const Lighting& lighting,
-         const PlateSurface& plate, std::stop_token stop, ShotReport& report)
+  Studio(const SimulateOptions& options, const VirtualRig& rig, const rendering::Lighting& lighting,
+         const rendering::PlateSurface& plate, std::stop_token stop, ShotReport& report)
       : options_(options),
         rig_(rig),
         lighting_(lighting),
@@ -68,18 +68,20 @@ class Studio {
   }
 
   // The stops [first, last) of one side, with the sherds lying as given.
-  void shootStops(const std::vector<VirtualSherd>& sherds,
+  void shootStops(const std::vector<vessels::VirtualSherd>& sherds,
                   const std::vector<Eigen::Isometry3d>& poses, batch::Side side, int first,
                   int last) {
-    const Scene scene(sherds, poses);
-    const std::uint64_t seed = mixed(options_.seed, side == batch::Side::Front ? 101 : 102);
-    const AmbientField ambient =
-        gatherAmbient(scene, lighting_, plate_, seed, {.threads = options_.threads});
-    std::vector<Lighting> lightings;
-    std::vector<LightField> fields;
+    const rendering::Scene scene(sherds, poses);
+    const std::uint64_t seed =
+        vessels::mixed(options_.seed, side == batch::Side::Front ? 101 : 102);
+    const rendering::AmbientField ambient =
+        rendering::gatherAmbient(scene, lighting_, plate_, seed, {.threads = options_.threads});
+    std::vector<rendering::Lighting> lightings;
+    std::vector<rendering::LightField> fields;
     for (int s = first; s < last && !stop_.stop_requested(); ++s) {
-      lightings.push_back(turned(lighting_, rig_.angles_rad[s]));
-      fields.push_back(castShadows(scene, lightings.back(), mixed(seed, s), options_.threads));
+      lightings.push_back(rendering::turned(lighting_, rig_.angles_rad[s]));
+      fields.push_back(rendering::castShadows(scene, lightings.back(), vessels::mixed(seed, s),
+                                              options_.threads));
     }
     if (stop_.stop_requested()) return;
     parallelFor(static_cast<std::size_t>((last - first) * rig_.cameras()), options_.threads,
@@ -87,45 +89,48 @@ class Studio {
                   const int s = static_cast<int>(i) / rig_.cameras(),
                             camera = static_cast<int>(i) % rig_.cameras();
                   if (stop_.stop_requested() || report_.failed()) return;
-                  const Hand hand = mishapOf(options_, side, camera, first + s).hand;
-                  const PlateBackdrop backdrop(lightings[s], fields[s], ambient, plate_,
-                                               rig_.angles_rad[first + s], hand);
-                  const View view{scene,   lightings[s],   fields[s],
-                                  ambient, backdrop,       rig_.cameraFromPlate(camera, first + s),
-                                  hand,    focusOf(camera)};
+                  const rendering::Hand hand = mishapOf(options_, side, camera, first + s).hand;
+                  const rendering::PlateBackdrop backdrop(lightings[s], fields[s], ambient, plate_,
+                                                          rig_.angles_rad[first + s], hand);
+                  const rendering::View view{scene,     lightings[s],
+                                             fields[s], ambient,
+                                             backdrop,  rig_.cameraFromPlate(camera, first + s),
+                                             hand,      focusOf(camera)};
                   report_.done(shoot(view, side, camera, first + s));
                 });
   }
 
   void shootEmptyPlate() {
-    const std::vector<VirtualSherd> none;
-    const Scene scene(none, {});
-    const AmbientField ambient =
-        gatherAmbient(scene, lighting_, plate_, options_.seed, {.threads = options_.threads});
-    const LightField field = castShadows(scene, lighting_, options_.seed, options_.threads);
-    const PlateBackdrop backdrop(lighting_, field, ambient, plate_, 0);
+    const std::vector<vessels::VirtualSherd> none;
+    const rendering::Scene scene(none, {});
+    const rendering::AmbientField ambient = rendering::gatherAmbient(
+        scene, lighting_, plate_, options_.seed, {.threads = options_.threads});
+    const rendering::LightField field =
+        rendering::castShadows(scene, lighting_, options_.seed, options_.threads);
+    const rendering::PlateBackdrop backdrop(lighting_, field, ambient, plate_, 0);
     parallelFor(lenses_.size(), options_.threads, [&](std::size_t c) {
       const int camera = static_cast<int>(c);
-      const View view{scene,   lighting_,      field,
-                      ambient, backdrop,       rig_.cameraFromPlate(camera, 0),
-                      {},      focusOf(camera)};
-      const Photograph shot =
-          photograph(view, lenses_[c], sensor_, mixed(options_.seed, 7000 + c), stop_);
+      const rendering::View view{scene,   lighting_,      field,
+                                 ambient, backdrop,       rig_.cameraFromPlate(camera, 0),
+                                 {},      focusOf(camera)};
+      const rendering::Photograph shot = rendering::photograph(
+          view, lenses_[c], sensor_, vessels::mixed(options_.seed, 7000 + c), stop_);
       report_.done(writeJpeg(options_.output / "calib" / ("empty_cam" + std::to_string(c) + ".jpg"),
                              shot.image));
     });
   }
 
   void shootBoards() {
-    Random random(mixed(options_.seed, 5));
+    vessels::Random random(vessels::mixed(options_.seed, 5));
     std::vector<std::vector<Eigen::Isometry3d>> poses;
     for (const rig::Intrinsics& k : rig_.intrinsics) poses.push_back(boardPoses(k, random));
-    const BoardSurface board;
+    const rendering::BoardSurface board;
     parallelFor(lenses_.size() * poses[0].size(), options_.threads, [&](std::size_t i) {
       if (stop_.stop_requested() || report_.failed()) return;
       const std::size_t camera = i / poses[0].size(), n = i % poses[0].size();
-      const cv::Mat image = photographBoard(board, lenses_[camera], poses[camera][n], sensor_,
-                                            mixed(options_.seed, 8000 + i));
+      const cv::Mat image =
+          rendering::photographBoard(board, lenses_[camera], poses[camera][n], sensor_,
+                                     vessels::mixed(options_.seed, 8000 + i));
       const std::string file = "cam" + std::to_string(camera) + "_cal" + (n < 10 ? "0" : "") +
                                std::to_string(n) + ".jpg";
       report_.done(writeJpeg(options_.output / "calib" / file, image));
@@ -134,21 +139,23 @@ class Studio {
 
  private:
   // Focused by hand on the plate's middle, on a sensor of 23.5 mm width.
-  Focus focusOf(int camera) const {
+  rendering::Focus focusOf(int camera) const {
     if (options_.fstop.value_or(0) <= 0) return {};
     const rig::Intrinsics& k = rig_.intrinsics[static_cast<std::size_t>(camera)];
     return {k.fx / k.width * 23.5 / *options_.fstop,
             rig_.cameraFromPlate(camera, 0).translation().z()};
   }
 
-  Result<void> shoot(const View& view, batch::Side side, int camera, int stop_index) const {
+  Result<void> shoot(const rendering::View& view, batch::Side side, int camera,
+                     int stop_index) const {
     const Mishap mishap = mishapOf(options_, side, camera, stop_index);
-    Sensor sensor = sensor_;
+    rendering::Sensor sensor = sensor_;
     sensor.blur_px = std::hypot(sensor.blur_px, mishap.extra_blur_px);
     const auto id = static_cast<std::uint64_t>((side == batch::Side::Front ? 0 : 1000) +
                                                stop_index * rig_.cameras() + camera);
-    const Photograph shot = photograph(view, lenses_[static_cast<std::size_t>(camera)], sensor,
-                                       mixed(options_.seed, 9000 + id), stop_);
+    const rendering::Photograph shot =
+        rendering::photograph(view, lenses_[static_cast<std::size_t>(camera)], sensor,
+                              vessels::mixed(options_.seed, 9000 + id), stop_);
     if (stop_.stop_requested()) return Error::cancelled();
     const std::string file = photographName(side, camera, stop_index);
     std::string mask = file.substr(0, file.size() - 4) + ".png";
@@ -161,12 +168,12 @@ class Studio {
 
   const SimulateOptions& options_;
   const VirtualRig& rig_;
-  const Lighting& lighting_;
-  const PlateSurface& plate_;
+  const rendering::Lighting& lighting_;
+  const rendering::PlateSurface& plate_;
   std::stop_token stop_;
   ShotReport& report_;
-  Sensor sensor_;
-  std::vector<LensRays> lenses_;
+  rendering::Sensor sensor_;
+  std::vector<rendering::LensRays> lenses_;
 };
 
 // A push of the first sherd by 4 mm and 6 degrees about its own middle, away from its neighbour.
@@ -188,10 +195,10 @@ std::vector<Eigen::Isometry3d> pushed(std::vector<Eigen::Isometry3d> poses) {
 }
 
 Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_token stop) {
-  const Result<std::vector<VirtualSherd>> sherds = makeSherds(options);
+  const Result<std::vector<vessels::VirtualSherd>> sherds = makeSherds(options);
   if (!sherds) return sherds.error();
-  Random layout_random(mixed(options.seed, 2)), rig_random(mixed(options.seed, 3)),
-      room_random(mixed(options.seed, 4));
+  vessels::Random layout_random(vessels::mixed(options.seed, 2)),
+      rig_random(vessels::mixed(options.seed, 3)), room_random(vessels::mixed(options.seed, 4));
   const Result<Layout> layout = layOut(*sherds, options, layout_random);
   if (!layout) return layout.error();
   if (stop.stop_requested()) return Error::cancelled();
@@ -199,7 +206,7 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
   const VirtualRig rig = options.rig ? asVirtual(*options.rig, options.width)
                                      : makeRig(options.width, options.stops, rig_random);
   const int stops = static_cast<int>(rig.angles_rad.size());
-  const Lighting lighting = makeLighting(room_random);
+  const rendering::Lighting lighting = makeLighting(room_random);
   progress.note(NoteLevel::Info,
                 "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
   if (options.scans_only) return writeScans(*sherds, *layout, rig, options, progress, stop);
@@ -208,8 +215,8 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
     return r;
 
   ShotReport report(progress, rig.cameras() * (2 * stops + (options.rig ? 1 : 13)));
-  PlateSurface plate(options.plate, options.seed);
-  PlateSurface covered = plate;
+  rendering::PlateSurface plate(options.plate, options.seed);
+  rendering::PlateSurface covered = plate;
   if (options.fault == Fault::Covered) covered.coverMarkers(8);
   Studio front(options, rig, lighting, covered, stop, report);
   const int push = options.fault == Fault::Moved ? stops / 2 : stops;
@@ -276,10 +283,11 @@ Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
 Result<void> simulateCalibration(const SimulateOptions& options, Progress& progress,
                                  std::stop_token stop) {
   if (Result<void> r = options.check(); !r) return r;
-  Random rig_random(mixed(options.seed, 3)), room_random(mixed(options.seed, 4));
+  vessels::Random rig_random(vessels::mixed(options.seed, 3)),
+      room_random(vessels::mixed(options.seed, 4));
   const VirtualRig rig = makeRig(options.width, options.stops, rig_random);
-  const Lighting lighting = makeLighting(room_random);
-  const PlateSurface plate(options.plate, options.seed);
+  const rendering::Lighting lighting = makeLighting(room_random);
+  const rendering::PlateSurface plate(options.plate, options.seed);
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
   ShotReport report(progress, 13 * kCameras);
   Studio studio(options, rig, lighting, plate, stop, report);

@@ -37,7 +37,7 @@ struct SimulateOptions {
   std::vector<std::filesystem::path> meshes;
   int width = 1600;  ///< pixels; the height is 3/4 of it and the lens scales along
   std::filesystem::path output;
-  PlateColor plate = PlateColor::Dark;
+  rendering::PlateColor plate = rendering::PlateColor::Dark;
   bool plain = false;  ///< neither slip nor paint, fine temper only
   /// Share of the sherds with shiny slip or burnish; black, grey and white clays and slips are
   /// drawn among the others. Absent: usual clays, all matte; by hand 0.3.
@@ -59,7 +59,7 @@ struct SimulateOptions {
   /// used then, and there are no pictures of the board, since its lenses are known.
   std::optional<rig::Rig> rig;
   /// By hand over a printed sheet in place of a rig; the light and the sherds stand still.
-  std::optional<HandHeldOptions> hand_held;
+  std::optional<rendering::HandHeldOptions> hand_held;
 
   /// Names the field that cannot be; nothing else fails before the first file is written.
   Result<void> check() const;

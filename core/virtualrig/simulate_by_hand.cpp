@@ -27,12 +27,14 @@ std::string clockTime(double seconds) {
 
 // Draws places until a thing lies clear of the sherds and of other things: on the sheet, or, as
 // cards and pencils do, across its border or beside it. Absent when it finds none.
-std::optional<Eigen::Isometry3d> clearPlace(PropKind kind, const SheetSurface& sheet,
+std::optional<Eigen::Isometry3d> clearPlace(rendering::PropKind kind,
+                                            const rendering::SheetSurface& sheet,
                                             const std::vector<Eigen::Vector2d>& taken,
-                                            Random& random) {
+                                            vessels::Random& random) {
   constexpr double kClear = 4;  // mm
-  const bool inside = kind == PropKind::ScaleBar || kind == PropKind::Label;
-  const Eigen::Vector2d half = 0.5 * propSize(kind).head<2>() + Eigen::Vector2d::Constant(kClear),
+  const bool inside = kind == rendering::PropKind::ScaleBar || kind == rendering::PropKind::Label;
+  const Eigen::Vector2d half = 0.5 * rendering::propSize(kind).head<2>() +
+                               Eigen::Vector2d::Constant(kClear),
                         paper = sheet.plate().sheet->max();
   for (int round = 0; round < 600; ++round) {
     const double turn = random.uniform(0, 2 * std::numbers::pi);
@@ -68,34 +70,37 @@ class Photographer {
   Photographer(const SimulateOptions& options, const CameraModel& model, std::stop_token stop,
                ShotReport& report)
       : options_(options), model_(model), stop_(std::move(stop)), report_(report) {
-    Random sheet_random(mixed(options.seed, 13)), table_random(mixed(options.seed, 14)),
-        room_random(mixed(options.seed, 12));
+    vessels::Random sheet_random(vessels::mixed(options.seed, 13)),
+        table_random(vessels::mixed(options.seed, 14)),
+        room_random(vessels::mixed(options.seed, 12));
     sheet_.emplace(options.hand_held->sheet, options.hand_held->bend_mm, sheet_random);
     table_.emplace(options.hand_held->table, table_random);
     lighting_ = makeLighting(options.hand_held->light, room_random);
     start_s_ = room_random.uniform(9 * 3600, 16 * 3600);
   }
 
-  const SheetSurface& sheet() const { return *sheet_; }
+  const rendering::SheetSurface& sheet() const { return *sheet_; }
 
   // As many things as were asked for, in an order that chance chooses, as far as there is room.
-  std::vector<Prop> clutter(const std::vector<VirtualSherd>& sherds,
-                            const std::vector<Eigen::Isometry3d>& poses, Random& random) const {
+  std::vector<rendering::Prop> clutter(const std::vector<vessels::VirtualSherd>& sherds,
+                                       const std::vector<Eigen::Isometry3d>& poses,
+                                       vessels::Random& random) const {
     std::vector<Eigen::Vector2d> taken;
     for (std::size_t s = 0; s < sherds.size(); ++s)
       for (const Eigen::Vector3f& v : sherds[s].mesh.vertices)
         taken.push_back((poses[s] * v.cast<double>()).head<2>());
-    std::vector<Prop> props;
-    const int first = random.below(kPropKinds);
+    std::vector<rendering::Prop> props;
+    const int first = random.below(rendering::kPropKinds);
     for (int i = 0; i < options_.hand_held->clutter; ++i) {
-      const auto kind = static_cast<PropKind>((first + i) % kPropKinds);
+      const auto kind = static_cast<rendering::PropKind>((first + i) % rendering::kPropKinds);
       std::optional<Eigen::Isometry3d> place = clearPlace(kind, *sheet_, taken, random);
       if (!place) continue;
       if (sheet_->holds(place->translation().head<2>().cast<float>())) {
-        const Prop flat = makeProp(kind, Eigen::Isometry3d::Identity(), random);
-        place = restingOn(*sheet_, *place, flat.mesh.vertices);
+        const rendering::Prop flat =
+            rendering::makeProp(kind, Eigen::Isometry3d::Identity(), random);
+        place = rendering::restingOn(*sheet_, *place, flat.mesh.vertices);
       }
-      props.push_back(makeProp(kind, *place, random));
+      props.push_back(rendering::makeProp(kind, *place, random));
       for (const Eigen::Vector3f& v : props.back().mesh.vertices)
         taken.push_back(v.head<2>().cast<double>());
     }
@@ -103,15 +108,16 @@ class Photographer {
   }
 
   // The shots [first, last) of one side.
-  void shootSide(const Scene& scene, const std::vector<FreeShot>& shots, std::size_t first,
-                 std::size_t last) const {
-    const SheetGround ground(*sheet_, *table_);
-    const std::uint64_t seed = mixed(options_.seed, first == 0 ? 101 : 102);
-    const AmbientField ambient = gatherAmbient(
+  void shootSide(const rendering::Scene& scene, const std::vector<FreeShot>& shots,
+                 std::size_t first, std::size_t last) const {
+    const rendering::SheetGround ground(*sheet_, *table_);
+    const std::uint64_t seed = vessels::mixed(options_.seed, first == 0 ? 101 : 102);
+    const rendering::AmbientField ambient = rendering::gatherAmbient(
         scene, lighting_, ground, seed,
         {.turning = false, .side = 8, .ground_side = 12, .threads = options_.threads});
     if (stop_.stop_requested()) return;
-    const LightField field = castShadows(scene, lighting_, seed, options_.threads);
+    const rendering::LightField field =
+        rendering::castShadows(scene, lighting_, seed, options_.threads);
     parallelFor(last - first, options_.threads, [&](std::size_t i) {
       if (stop_.stop_requested() || report_.failed()) return;
       report_.done(shoot(scene, ambient, field, shots[first + i], first + i));
@@ -119,17 +125,20 @@ class Photographer {
   }
 
  private:
-  Result<void> shoot(const Scene& scene, const AmbientField& ambient, const LightField& field,
-                     const FreeShot& shot, std::size_t number) const {
-    const Lighting lighting = options_.hand_held->light == LightKind::Flash
-                                  ? withFlash(lighting_, shot.camera_from_plate)
-                                  : lighting_;
-    const SheetBackdrop backdrop(scene, lighting, field, ambient, *sheet_, *table_);
+  Result<void> shoot(const rendering::Scene& scene, const rendering::AmbientField& ambient,
+                     const rendering::LightField& field, const FreeShot& shot,
+                     std::size_t number) const {
+    const rendering::Lighting lighting = options_.hand_held->light == rendering::LightKind::Flash
+                                             ? withFlash(lighting_, shot.camera_from_plate)
+                                             : lighting_;
+    const rendering::SheetBackdrop backdrop(scene, lighting, field, ambient, *sheet_, *table_);
     const double fstop = options_.fstop.value_or(model_.fnumber);
-    const Focus focus{fstop > 0 ? model_.focal_mm / fstop : 0, shot.focus_mm};
-    const View view{scene, lighting, field, ambient, backdrop, shot.camera_from_plate, {}, focus};
-    const Photograph taken = photograph(view, LensRays(shot.intrinsics), shot.sensor,
-                                        mixed(options_.seed, 9000 + number), stop_);
+    const rendering::Focus focus{fstop > 0 ? model_.focal_mm / fstop : 0, shot.focus_mm};
+    const rendering::View view{scene, lighting, field, ambient, backdrop, shot.camera_from_plate,
+                               {},    focus};
+    const rendering::Photograph taken =
+        rendering::photograph(view, rendering::LensRays(shot.intrinsics), shot.sensor,
+                              vessels::mixed(options_.seed, 9000 + number), stop_);
     if (stop_.stop_requested()) return Error::cancelled();
     const std::string side = batch::name(shot.side);
     const std::filesystem::path& folder = options_.output;
@@ -157,9 +166,9 @@ class Photographer {
   const CameraModel& model_;
   std::stop_token stop_;
   ShotReport& report_;
-  std::optional<SheetSurface> sheet_;
-  std::optional<TableSurface> table_;
-  Lighting lighting_;
+  std::optional<rendering::SheetSurface> sheet_;
+  std::optional<rendering::TableSurface> table_;
+  rendering::Lighting lighting_;
   double start_s_ = 0;
 };
 
@@ -176,10 +185,10 @@ std::vector<rig::PosedImage> posedImages(const std::vector<FreeShot>& shots) {
 
 }  // namespace
 
-Result<void> photographByHand(const std::vector<VirtualSherd>& sherds, const Layout& layout,
-                              const SimulateOptions& options, Progress& progress,
-                              std::stop_token stop) {
-  Random random(mixed(options.seed, 11));
+Result<void> photographByHand(const std::vector<vessels::VirtualSherd>& sherds,
+                              const Layout& layout, const SimulateOptions& options,
+                              Progress& progress, std::stop_token stop) {
+  vessels::Random random(vessels::mixed(options.seed, 11));
   const CameraModel model = cameraModel(options.hand_held->camera, random);
   const std::vector<FreeShot> shots = walkAround(*options.hand_held, model, options.width, random);
   ShotReport report(progress, static_cast<std::int64_t>(shots.size()));
@@ -188,22 +197,24 @@ Result<void> photographByHand(const std::vector<VirtualSherd>& sherds, const Lay
   Layout lying;
   for (std::size_t s = 0; s < sherds.size(); ++s) {
     const auto& vertices = sherds[s].mesh.vertices;
-    lying.front.push_back(restingOn(photographer.sheet(), layout.front[s], vertices));
-    lying.back.push_back(restingOn(photographer.sheet(), layout.back[s], vertices));
+    lying.front.push_back(rendering::restingOn(photographer.sheet(), layout.front[s], vertices));
+    lying.back.push_back(rendering::restingOn(photographer.sheet(), layout.back[s], vertices));
   }
-  if (Result<void> r = writeSheet(options.output / "plate.json", photographer.sheet().plate()); !r)
+  if (Result<void> r =
+          rendering::writeSheet(options.output / "plate.json", photographer.sheet().plate());
+      !r)
     return r;
   if (Result<void> r = writeTruth(options.output / "truth", sherds, lying, posedImages(shots)); !r)
     return r;
   const std::size_t half = shots.size() / 2;
-  Random clutter(mixed(options.seed, 15));
+  vessels::Random clutter(vessels::mixed(options.seed, 15));
   photographer.shootSide(
-      Scene(sherds, lying.front, photographer.clutter(sherds, lying.front, clutter)), shots, 0,
-      half);
+      rendering::Scene(sherds, lying.front, photographer.clutter(sherds, lying.front, clutter)),
+      shots, 0, half);
   if (!stop.stop_requested())
     photographer.shootSide(
-        Scene(sherds, lying.back, photographer.clutter(sherds, lying.back, clutter)), shots, half,
-        shots.size());
+        rendering::Scene(sherds, lying.back, photographer.clutter(sherds, lying.back, clutter)),
+        shots, half, shots.size());
   if (stop.stop_requested()) return Error::cancelled();
   return report.result();
 }

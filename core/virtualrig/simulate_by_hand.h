@@ -7,8 +7,8 @@ namespace ostraka::virtualrig {
 
 /// The files of a batch that is photographed by hand, as simulateBatch with hand_held tells.
 /// Errors: CannotWrite, Cancelled.
-Result<void> photographByHand(const std::vector<VirtualSherd>& sherds, const Layout& layout,
-                              const SimulateOptions& options, Progress& progress,
-                              std::stop_token stop);
+Result<void> photographByHand(const std::vector<vessels::VirtualSherd>& sherds,
+                              const Layout& layout, const SimulateOptions& options,
+                              Progress& progress, std::stop_token stop);
 
 }  // namespace ostraka::virtualrig

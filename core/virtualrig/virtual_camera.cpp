@@ -11,10 +11,10 @@
 namespace ostraka::virtualrig {
 namespace {
 
-using capture::Camera;
-using capture::CameraFile;
-using capture::CameraId;
-using capture::CameraSetting;
+using devices::Camera;
+using devices::CameraFile;
+using devices::CameraId;
+using devices::CameraSetting;
 
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr int kPreviewWidth = 960;  // small enough for a picture a second, large enough for markers
@@ -38,16 +38,16 @@ SimulateOptions simulateOptions(const VirtualDevicesOptions& options,
 // The room with its plate, shared by the devices.
 class VirtualPlace {
  public:
-  VirtualPlace(const VirtualDevicesOptions& options, std::vector<VirtualSherd> sherds,
+  VirtualPlace(const VirtualDevicesOptions& options, std::vector<vessels::VirtualSherd> sherds,
                Layout layout)
       : options_(options),
         sherds_(std::move(sherds)),
         layout_(std::move(layout)),
         plate_(options.plate, options.seed) {
-    Random room_random(mixed(options.seed, 4));
+    vessels::Random room_random(vessels::mixed(options.seed, 4));
     lighting_ = makeLighting(room_random);
     for (const bool small : {false, true}) {
-      Random rig_random(mixed(options.seed, 3));
+      vessels::Random rig_random(vessels::mixed(options.seed, 3));
       const int width = small ? std::min(options.width, kPreviewWidth) : options.width;
       rig_ = makeRig(width, options.stops, rig_random);
       for (const rig::Intrinsics& k : rig_.intrinsics)
@@ -60,7 +60,7 @@ class VirtualPlace {
     const std::lock_guard lock(guard_);
     if (scene_ && side == side_) return;
     side_ = side;
-    scene_ = std::make_shared<const Scene>(
+    scene_ = std::make_shared<const rendering::Scene>(
         sherds_, side == batch::Side::Front ? layout_.front : layout_.back);
     ambient_.reset();
     light_.reset();
@@ -72,7 +72,7 @@ class VirtualPlace {
     const std::lock_guard lock(guard_);
     return side_;
   }
-  capture::Clock& clock() const { return *options_.clock; }
+  devices::Clock& clock() const { return *options_.clock; }
   const VirtualDevicesOptions& options() const { return options_; }
   // Other sherds, another lens: another camera, so that no batch gets the back of another one.
   std::string serial(int camera) const {
@@ -84,19 +84,21 @@ class VirtualPlace {
 
   std::string picture(int camera, double degrees, bool small, std::stop_token stop) {
     const Moment now = moment(degrees);
-    const PlateBackdrop backdrop(now.lighting, *now.light, *now.ambient, plate_, now.angle_rad);
-    const View view{*now.scene,
-                    now.lighting,
-                    *now.light,
-                    *now.ambient,
-                    backdrop,
-                    rig_.camera_from_room[static_cast<std::size_t>(camera)] *
-                        Eigen::AngleAxisd(now.angle_rad, Eigen::Vector3d::UnitZ())};
+    const rendering::PlateBackdrop backdrop(now.lighting, *now.light, *now.ambient, plate_,
+                                            now.angle_rad);
+    const rendering::View view{*now.scene,
+                               now.lighting,
+                               *now.light,
+                               *now.ambient,
+                               backdrop,
+                               rig_.camera_from_room[static_cast<std::size_t>(camera)] *
+                                   Eigen::AngleAxisd(now.angle_rad, Eigen::Vector3d::UnitZ())};
     const auto c = static_cast<std::size_t>(camera);
     const auto id = static_cast<std::uint64_t>((now.side == batch::Side::Front ? 0 : 1000) +
                                                now.shot * kCameras + camera);
-    const Photograph taken = photograph(view, (small ? small_lenses_ : lenses_)[c], {},
-                                        mixed(options_.seed, 9000 + id), stop);
+    const rendering::Photograph taken =
+        rendering::photograph(view, (small ? small_lenses_ : lenses_)[c], {},
+                              vessels::mixed(options_.seed, 9000 + id), stop);
     return stop.stop_requested() ? std::string() : encodedJpeg(taken.image);
   }
 
@@ -106,10 +108,10 @@ class VirtualPlace {
     batch::Side side;
     int shot;  // the stop, or a number beyond all stops
     double angle_rad;
-    Lighting lighting;
-    std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const AmbientField> ambient;
-    std::shared_ptr<const LightField> light;
+    rendering::Lighting lighting;
+    std::shared_ptr<const rendering::Scene> scene;
+    std::shared_ptr<const rendering::AmbientField> ambient;
+    std::shared_ptr<const rendering::LightField> light;
   };
 
   Moment moment(double degrees) {
@@ -121,33 +123,37 @@ class VirtualPlace {
     const int shot = at_stop ? near : 100'000 + static_cast<int>(std::lround(turned * 100));
     const double angle =
         at_stop ? rig_.angles_rad[static_cast<std::size_t>(near)] : turned * kRadians;
-    const std::uint64_t seed = mixed(options_.seed, side_ == batch::Side::Front ? 101 : 102);
-    const Lighting lighting = turned_(angle);
+    const std::uint64_t seed =
+        vessels::mixed(options_.seed, side_ == batch::Side::Front ? 101 : 102);
+    const rendering::Lighting lighting = turned_(angle);
     if (!ambient_)
-      ambient_ = std::make_shared<const AmbientField>(
-          gatherAmbient(*scene_, lighting_, plate_, seed, {.threads = options_.threads}));
+      ambient_ = std::make_shared<const rendering::AmbientField>(rendering::gatherAmbient(
+          *scene_, lighting_, plate_, seed, {.threads = options_.threads}));
     if (!light_ || shot != light_shot_) {
-      light_ = std::make_shared<const LightField>(castShadows(
-          *scene_, lighting, mixed(seed, static_cast<std::uint64_t>(shot)), options_.threads));
+      light_ = std::make_shared<const rendering::LightField>(rendering::castShadows(
+          *scene_, lighting, vessels::mixed(seed, static_cast<std::uint64_t>(shot)),
+          options_.threads));
       light_shot_ = shot;
     }
     return {side_, shot, angle, lighting, scene_, ambient_, light_};
   }
-  Lighting turned_(double angle_rad) const { return virtualrig::turned(lighting_, angle_rad); }
+  rendering::Lighting turned_(double angle_rad) const {
+    return rendering::turned(lighting_, angle_rad);
+  }
 
   const VirtualDevicesOptions options_;
-  const std::vector<VirtualSherd> sherds_;
+  const std::vector<vessels::VirtualSherd> sherds_;
   const Layout layout_;
-  const PlateSurface plate_;
-  Lighting lighting_;
+  const rendering::PlateSurface plate_;
+  rendering::Lighting lighting_;
   VirtualRig rig_;  // intrinsics of the previews; places and angles are the same for all widths
-  std::vector<LensRays> lenses_, small_lenses_;
+  std::vector<rendering::LensRays> lenses_, small_lenses_;
   std::atomic<double> degrees_ = 0;
   mutable std::mutex guard_;  // of what follows
   batch::Side side_ = batch::Side::Front;
-  std::shared_ptr<const Scene> scene_;
-  std::shared_ptr<const AmbientField> ambient_;
-  std::shared_ptr<const LightField> light_;
+  std::shared_ptr<const rendering::Scene> scene_;
+  std::shared_ptr<const rendering::AmbientField> ambient_;
+  std::shared_ptr<const rendering::LightField> light_;
   int light_shot_ = -1;
 };
 
@@ -215,7 +221,7 @@ class VirtualCamera final : public Camera {
   Sight previewed_;
 };
 
-class VirtualTurntable final : public capture::Turntable {
+class VirtualTurntable final : public devices::Turntable {
  public:
   explicit VirtualTurntable(std::shared_ptr<VirtualPlace> place) : place_(std::move(place)) {}
 
@@ -254,9 +260,9 @@ class VirtualTurntable final : public capture::Turntable {
 Result<capture::RigDevices> openVirtualRig(const VirtualDevicesOptions& options) {
   const SimulateOptions simulate = simulateOptions(options, "virtual");
   if (const Result<void> checked = simulate.check(); !checked) return checked.error();
-  Result<std::vector<VirtualSherd>> sherds = makeSherds(simulate);
+  Result<std::vector<vessels::VirtualSherd>> sherds = makeSherds(simulate);
   if (!sherds) return sherds.error();
-  Random layout_random(mixed(options.seed, 2));
+  vessels::Random layout_random(vessels::mixed(options.seed, 2));
   Result<Layout> layout = layOut(*sherds, simulate, layout_random);
   if (!layout) return layout.error();
   const auto place =
@@ -265,7 +271,7 @@ Result<capture::RigDevices> openVirtualRig(const VirtualDevicesOptions& options)
   devices.turntable = std::make_unique<VirtualTurntable>(place);
   for (int c = 0; c < kCameras; ++c)
     devices.cameras.push_back(std::make_unique<VirtualCamera>(place, c));
-  devices.plate = standardPlate();
+  devices.plate = rendering::standardPlate();
   devices.settle_s = options.settle_s;
   devices.clock = options.clock;
   devices.side_placed = [place](batch::Side side) { place->lay(side); };

@@ -14,7 +14,7 @@ struct VirtualDevicesOptions {
   std::uint64_t seed = 1;
   int sherds = 8;
   int width = 1600;  ///< pixels of a photograph; the height is 3/4 of it
-  PlateColor plate = PlateColor::Dark;
+  rendering::PlateColor plate = rendering::PlateColor::Dark;
   bool scramble = false;
   int near_duplicates = 0;
   int touching = 0;
@@ -22,7 +22,7 @@ struct VirtualDevicesOptions {
   double turn_deg_s = 0;  ///< how fast the table seems to turn; 0: at once
   double settle_s = 0;
   int threads = 0;
-  std::shared_ptr<capture::Clock> clock = capture::steadyClock();
+  std::shared_ptr<devices::Clock> clock = devices::steadyClock();
 };
 
 /// Makes the sherds and lays them down. side_placed(Back) turns them over, as a hand would.

@@ -29,7 +29,7 @@ struct ScanErrors {
   float hole_mm;
 };
 
-ScanErrors drawErrors(const std::vector<Eigen::Vector3f>& vertices, Random& random) {
+ScanErrors drawErrors(const std::vector<Eigen::Vector3f>& vertices, vessels::Random& random) {
   ScanErrors n;
   n.wavy_mm = static_cast<float>(random.uniform(0.04, 0.065));
   n.white_mm = static_cast<float>(random.uniform(0.01, 0.025));
@@ -50,7 +50,7 @@ struct EdgeErrors {
   float gap_above;      // where a smooth field exceeds it nothing was matched
   std::uint32_t wave;
 
-  static EdgeErrors draw(Random& random) {
+  static EdgeErrors draw(vessels::Random& random) {
     // The field has SD 0.36: a fifth of it lies above 0.30, two fifths above 0.09.
     return {static_cast<float>(random.uniform(0.03, 0.10)),
             static_cast<float>(random.uniform(0.11, 0.16)),
@@ -61,19 +61,21 @@ struct EdgeErrors {
   static float on(const Eigen::Vector3f& normal) {
     return std::clamp((0.85f - std::abs(normal.z())) / 0.35f, 0.f, 1.f);
   }
-  bool gap(const Eigen::Vector3f& p) const { return noise(p / 4, wave + 1) > gap_above; }
+  bool gap(const Eigen::Vector3f& p) const { return vessels::noise(p / 4, wave + 1) > gap_above; }
   /// Overhangs are seen by few views and come out fatter. Of the variance 0.55 waves over
   /// 1.5 mm, 0.15 over 4 mm, the rest is white (white_normal: of SD 1).
   float shift(const Eigen::Vector3f& p, const Eigen::Vector3f& normal, float white_normal) const {
     const float smooth =
-        (0.74f * noise(p / 1.5f, wave + 2) + 0.39f * noise(p / 4, wave + 3)) / 0.36f;
+        (0.74f * vessels::noise(p / 1.5f, wave + 2) + 0.39f * vessels::noise(p / 4, wave + 3)) /
+        0.36f;
     return fat_mm * (1 - 0.5f * normal.z()) + sd_mm * (smooth + 0.55f * white_normal);
   }
   /// 20 degrees in the median: 0.30 in each of the two directions across, alike over 1.5 mm.
   Eigen::Vector3f tilt(const Eigen::Vector3f& p) const {
     const Eigen::Vector3f q = p / 1.5f;
     return 0.30f / 0.36f *
-           Eigen::Vector3f(noise(q, wave + 4), noise(q, wave + 5), noise(q, wave + 6));
+           Eigen::Vector3f(vessels::noise(q, wave + 4), vessels::noise(q, wave + 5),
+                           vessels::noise(q, wave + 6));
   }
 };
 
@@ -83,7 +85,7 @@ struct Candidates {
 };
 
 // Points even by area, one per cube of the spacing.
-Candidates sampleSurface(const Scene& scene, int sherd, Random& random) {
+Candidates sampleSurface(const rendering::Scene& scene, int sherd, vessels::Random& random) {
   const TriangleMesh& mesh = scene.sherds()[sherd].mesh;
   Candidates out;
   PointCloud dense;
@@ -112,8 +114,8 @@ Candidates sampleSurface(const Scene& scene, int sherd, Random& random) {
 }
 
 // Largest cosine of incidence among the views that see the point, 0 when fewer than two do.
-float seenBy(const Scene& scene, const std::vector<Eigen::Vector3f>& eyes, const Eigen::Vector3f& p,
-             const Eigen::Vector3f& normal) {
+float seenBy(const rendering::Scene& scene, const std::vector<Eigen::Vector3f>& eyes,
+             const Eigen::Vector3f& p, const Eigen::Vector3f& normal) {
   int views = 0;
   float best = 0;
   for (const Eigen::Vector3f& eye : eyes) {
@@ -126,11 +128,11 @@ float seenBy(const Scene& scene, const std::vector<Eigen::Vector3f>& eyes, const
   return views >= kFewestViews ? best : 0;
 }
 
-PointCloud scan(const Scene& scene, int sherd, const std::vector<Eigen::Vector3f>& eyes,
+PointCloud scan(const rendering::Scene& scene, int sherd, const std::vector<Eigen::Vector3f>& eyes,
                 ScanNoise kind, std::uint64_t seed) {
-  Random random(seed);
+  vessels::Random random(seed);
   const ScanErrors noise_of = drawErrors(scene.vertices(sherd), random);
-  Random edge_chance(mixed(seed, 1));
+  vessels::Random edge_chance(vessels::mixed(seed, 1));
   const EdgeErrors edge = EdgeErrors::draw(edge_chance);
   const Candidates candidates = sampleSurface(scene, sherd, random);
   const Eigen::Vector2f middle = scene.pose(sherd).translation().head<2>().cast<float>();
@@ -157,8 +159,8 @@ PointCloud scan(const Scene& scene, int sherd, const std::vector<Eigen::Vector3f
     const float low = std::clamp(1 - (p.z() - noise_of.floor_mm) / 1.2f, 0.f, 1.f);
     factor *= 1 + low;
     shift += 0.06f * low;
-    shift +=
-        factor * (noise_of.wavy_mm / 0.36f * noise(p / 0.9f, wave) + noise_of.white_mm * normal());
+    shift += factor * (noise_of.wavy_mm / 0.36f * vessels::noise(p / 0.9f, wave) +
+                       noise_of.white_mm * normal());
     if (facing < 0.5f && random.chance(0.02))
       shift += static_cast<float>(random.uniform(0.3, 1.5));  // flying
     Eigen::Vector3f aside = Eigen::Vector3f::Zero();
@@ -174,7 +176,7 @@ PointCloud scan(const Scene& scene, int sherd, const std::vector<Eigen::Vector3f
   return out;
 }
 
-std::vector<int> shuffled(std::size_t count, Random& random) {
+std::vector<int> shuffled(std::size_t count, vessels::Random& random) {
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 1);
   for (std::size_t i = count; i > 1; --i)
@@ -184,10 +186,10 @@ std::vector<int> shuffled(std::size_t count, Random& random) {
 
 }  // namespace
 
-Result<void> writeScans(const std::vector<VirtualSherd>& sherds, const Layout& layout,
+Result<void> writeScans(const std::vector<vessels::VirtualSherd>& sherds, const Layout& layout,
                         const VirtualRig& rig, const SimulateOptions& options, Progress& progress,
                         std::stop_token stop) {
-  Random names(mixed(options.seed, 6));
+  vessels::Random names(vessels::mixed(options.seed, 6));
   const std::size_t count = sherds.size();
   const std::vector<int> fronts = shuffled(count, names), backs = shuffled(count, names);
   std::vector<Eigen::Vector3f> eyes;
@@ -196,17 +198,17 @@ Result<void> writeScans(const std::vector<VirtualSherd>& sherds, const Layout& l
       eyes.push_back(rig.cameraFromPlate(c, s).inverse().translation().cast<float>());
   for (const bool front : {true, false}) {
     if (stop.stop_requested()) return Error::cancelled();
-    const Scene scene(sherds, front ? layout.front : layout.back);
+    const rendering::Scene scene(sherds, front ? layout.front : layout.back);
     std::vector<PointCloud> clouds(count);
     parallelFor(count, options.threads, [&](std::size_t i) {
       if (!stop.stop_requested())
         clouds[i] = scan(scene, static_cast<int>(i), eyes, options.scan_noise,
-                         mixed(options.seed, (front ? 300 : 400) + i));
+                         vessels::mixed(options.seed, (front ? 300 : 400) + i));
     });
     if (stop.stop_requested()) return Error::cancelled();
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string file =
-          front ? numbered("front/f%03d.ply", fronts[i]) : numbered("back/b%03d.ply", backs[i]);
+      const std::string file = front ? rendering::numbered("front/f%03d.ply", fronts[i])
+                                     : rendering::numbered("back/b%03d.ply", backs[i]);
       if (Result<void> r =
               writePly(options.output / file, clouds[i], front ? "plate_front" : "plate_back");
           !r)
@@ -216,15 +218,15 @@ Result<void> writeScans(const std::vector<VirtualSherd>& sherds, const Layout& l
   }
   nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string mesh = numbered("truth/f%03d.ply", fronts[i]);
+    const std::string mesh = rendering::numbered("truth/f%03d.ply", fronts[i]);
     if (Result<void> r = writePly(options.output / mesh,
                                   transformed(sherds[i].mesh, layout.front[i]), "plate_front");
         !r)
       return r;
     nlohmann::ordered_json group;
     if (sherds[i].lookalike_group >= 0) group = sherds[i].lookalike_group;
-    pairs.push_back({{"front", numbered("front/f%03d.ply", fronts[i])},
-                     {"back", numbered("back/b%03d.ply", backs[i])},
+    pairs.push_back({{"front", rendering::numbered("front/f%03d.ply", fronts[i])},
+                     {"back", rendering::numbered("back/b%03d.ply", backs[i])},
                      {"T_front_from_back", toJson(layout.front[i] * layout.back[i].inverse())},
                      {"lookalike_group", group},
                      {"symmetric", false},

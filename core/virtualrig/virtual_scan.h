@@ -13,7 +13,7 @@ namespace ostraka::virtualrig {
 /// SD 0.11-0.16 mm, correlated over 1-4 mm, normals 20 degrees off, a fifth to two fifths not
 /// there. Writes front/fNNN.ply, back/bNNN.ply under shuffled names, truth.json and the true meshes
 /// in the front's frame. Errors: CannotWrite, Cancelled.
-Result<void> writeScans(const std::vector<VirtualSherd>& sherds, const Layout& layout,
+Result<void> writeScans(const std::vector<vessels::VirtualSherd>& sherds, const Layout& layout,
                         const VirtualRig& rig, const SimulateOptions& options, Progress& progress,
                         std::stop_token stop);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-double bounded(Random& random, double sd, double most) {
+double bounded(vessels::Random& random, double sd, double most) {
   return std::clamp(random.normal() * sd, -most, most);
 }
 
@@ -22,13 +22,13 @@ Eigen::Vector3f tinted(double strength, double warmth) {
 }
 
 // Elevations of one side: low, middle and high ones in turn, as people learn to do it.
-double elevation(int i, Random& random) {
+double elevation(int i, vessels::Random& random) {
   static constexpr std::array<double, 4> kRounds{31, 66, 50, 27};
   return std::clamp(kRounds[static_cast<std::size_t>(i % 4)] + 4.5 * random.normal(), 22.0, 72.0) *
          kDegree;
 }
 
-Sensor sensorOfShot(Sensor sensor, double scale, Random& random) {
+rendering::Sensor sensorOfShot(rendering::Sensor sensor, double scale, vessels::Random& random) {
   sensor.exposure = std::pow(2, 0.12 * random.normal());
   for (const int c : {0, 2})
     sensor.balance[c] = static_cast<float>(std::exp(0.03 * random.normal()));
@@ -40,11 +40,11 @@ Sensor sensorOfShot(Sensor sensor, double scale, Random& random) {
 
 }  // namespace
 
-CameraModel cameraModel(CameraKind kind, Random& random) {
+CameraModel cameraModel(rendering::CameraKind kind, vessels::Random& random) {
   CameraModel m;
   m.sensor.exposure_aim = 0.76;
   switch (kind) {
-    case CameraKind::Phone:
+    case rendering::CameraKind::Phone:
       m.focal_per_width = 1291.0 / 1600;
       m.distortion = {0.045, -0.085, 0.0003, -0.0004, 0.03};
       m.focal_mm = 4.2;
@@ -54,7 +54,7 @@ CameraModel cameraModel(CameraKind kind, Random& random) {
       m.sensor.sharpening = 0.45;
       m.model = "Virtual telephone";
       break;
-    case CameraKind::Dslr:  // 35 mm on APS-C
+    case rendering::CameraKind::Dslr:  // 35 mm on APS-C
       m.focal_per_width = 52.5 / 36;
       m.distortion = {-0.085, 0.06, 0.0002, 0.0001, 0};
       m.focal_mm = 35;
@@ -67,7 +67,7 @@ CameraModel cameraModel(CameraKind kind, Random& random) {
       m.halved_colors = false;
       m.model = "Virtual DSLR";
       break;
-    case CameraKind::Compact:
+    case rendering::CameraKind::Compact:
       m.focal_per_width = 32.0 / 36;
       m.distortion = {-0.13, 0.09, -0.0005, 0.0006, 0};
       m.focal_mm = 6.7;
@@ -87,12 +87,13 @@ CameraModel cameraModel(CameraKind kind, Random& random) {
   return m;
 }
 
-std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraModel& model,
-                                 int width, Random& random) {
+std::vector<FreeShot> walkAround(const rendering::HandHeldOptions& options,
+                                 const CameraModel& model, int width, vessels::Random& random) {
   // A telephone of 27 mm sees A4 from 26-33 cm; others stand where they see as much.
-  const double scale = width / 1600.0, reach = paperSize(options.sheet).norm() /
-                                               paperSize(SheetSize::A4).norm() *
-                                               model.focal_per_width / (1291.0 / 1600);
+  const double scale = width / 1600.0,
+               reach = rendering::paperSize(options.sheet).norm() /
+                       rendering::paperSize(rendering::SheetSize::A4).norm() *
+                       model.focal_per_width / (1291.0 / 1600);
   int number = 1000 + random.below(8000);
   double time = 0;
   std::vector<FreeShot> shots;
@@ -100,7 +101,7 @@ std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraMod
     const double start = random.uniform(0, 2 * std::numbers::pi), way = random.chance(0.5) ? 1 : -1;
     for (int i = 0; i < options.photographs; ++i) {
       FreeShot shot;
-      shot.name = numbered("IMG_%04d", number++);
+      shot.name = rendering::numbered("IMG_%04d", number++);
       shot.side = side;
       rig::Intrinsics& k = shot.intrinsics;
       k.width = width;
@@ -129,52 +130,54 @@ std::vector<FreeShot> walkAround(const HandHeldOptions& options, const CameraMod
   return shots;
 }
 
-Lighting makeLighting(LightKind kind, Random& random) {
-  Lighting lighting;
+rendering::Lighting makeLighting(rendering::LightKind kind, vessels::Random& random) {
+  rendering::Lighting lighting;
   lighting.ground_mm = 235;  // A3 and what lies beside it
   const double azimuth = random.uniform(0, 2 * std::numbers::pi);
   const double away = azimuth + random.uniform(2, 4);  // the second light's
-  Light& key = lighting.lights[0];
-  Light& fill = lighting.lights[1];
-  for (Light& light : lighting.lights)
-    light = softbox(0, 1, 1000, 100, 100, Eigen::Vector3f::Zero());
+  rendering::Light& key = lighting.lights[0];
+  rendering::Light& fill = lighting.lights[1];
+  for (rendering::Light& light : lighting.lights)
+    light = rendering::softbox(0, 1, 1000, 100, 100, Eigen::Vector3f::Zero());
   switch (kind) {
-    case LightKind::Window:
-      key = softbox(azimuth, random.uniform(0.5, 0.7), 1100, random.uniform(330, 480),
-                    random.uniform(280, 380), tinted(random.uniform(0.5, 0.68), -0.02));
+    case rendering::LightKind::Window:
+      key = rendering::softbox(azimuth, random.uniform(0.5, 0.7), 1100, random.uniform(330, 480),
+                               random.uniform(280, 380), tinted(random.uniform(0.5, 0.68), -0.02));
       key.radius = 0.33f;
-      fill = softbox(away, 0.6, 1800, 500, 500, tinted(random.uniform(0.03, 0.1), 0.05));
+      fill = rendering::softbox(away, 0.6, 1800, 500, 500, tinted(random.uniform(0.03, 0.1), 0.05));
       fill.radius = 0.28f;
       lighting.sky = tinted(random.uniform(0.16, 0.26), 0.04);
       lighting.shadow_reach = 5;
       break;
-    case LightKind::Lamp:
-      key = softbox(azimuth, random.uniform(0.6, 1.05), random.uniform(420, 620), 24, 24,
-                    tinted(0.6, 0.09));
+    case rendering::LightKind::Lamp:
+      key = rendering::softbox(azimuth, random.uniform(0.6, 1.05), random.uniform(420, 620), 24, 24,
+                               tinted(0.6, 0.09));
       key.radius = 0.045f;
       key.hard = true;
-      fill = softbox(away, 1.1, 1900, 300, 300, tinted(random.uniform(0.05, 0.12), 0.06));
+      fill =
+          rendering::softbox(away, 1.1, 1900, 300, 300, tinted(random.uniform(0.05, 0.12), 0.06));
       fill.radius = 0.16f;
       lighting.sky = tinted(random.uniform(0.07, 0.13), 0.05);
       lighting.shadow_reach = 3;
       break;
-    case LightKind::Flash:
-      key = softbox(azimuth, 1.5, 300, 5, 5, tinted(0.5, -0.03));
+    case rendering::LightKind::Flash:
+      key = rendering::softbox(azimuth, 1.5, 300, 5, 5, tinted(0.5, -0.03));
       key.radius = 0.02f;
       key.hard = true;
-      fill = softbox(away, 1.1, 1900, 300, 300, tinted(random.uniform(0.1, 0.2), 0.08));
+      fill = rendering::softbox(away, 1.1, 1900, 300, 300, tinted(random.uniform(0.1, 0.2), 0.08));
       fill.radius = 0.16f;
       lighting.sky = tinted(random.uniform(0.08, 0.14), 0.06);
       break;
-    case LightKind::Overcast:
-      key = softbox(azimuth, 1.1, 4000, 2200, 2200, tinted(random.uniform(0.08, 0.16), -0.03));
+    case rendering::LightKind::Overcast:
+      key = rendering::softbox(azimuth, 1.1, 4000, 2200, 2200,
+                               tinted(random.uniform(0.08, 0.16), -0.03));
       key.radius = 0.5f;
       lighting.sky = tinted(0.5, -0.03);
       lighting.shadow_reach = 4;
       break;
-    case LightKind::Sun:
-      key = softbox(azimuth, random.uniform(0.45, 1.05), 20'000, 93, 93,
-                    tinted(random.uniform(0.65, 0.85), 0.04));
+    case rendering::LightKind::Sun:
+      key = rendering::softbox(azimuth, random.uniform(0.45, 1.05), 20'000, 93, 93,
+                               tinted(random.uniform(0.65, 0.85), 0.04));
       key.radius = 0.0047f;
       key.hard = true;
       lighting.sky = tinted(random.uniform(0.12, 0.2), -0.16);
@@ -183,10 +186,11 @@ Lighting makeLighting(LightKind kind, Random& random) {
   return lighting;
 }
 
-Lighting withFlash(const Lighting& lighting, const Eigen::Isometry3d& camera_from_plate) {
+rendering::Lighting withFlash(const rendering::Lighting& lighting,
+                              const Eigen::Isometry3d& camera_from_plate) {
   const Eigen::Isometry3d plate_from_camera = camera_from_plate.inverse();
-  Lighting out = lighting;
-  Light& flash = out.lights[0];
+  rendering::Lighting out = lighting;
+  rendering::Light& flash = out.lights[0];
   flash.centre = plate_from_camera * Eigen::Vector3d(-12, -9, 0);  // beside the lens, above it
   flash.half_u = 5 * plate_from_camera.linear().col(0);
   flash.half_v = 5 * plate_from_camera.linear().col(1);

@@ -86,9 +86,9 @@ TEST_F(CatalogueCommand, WhatItExportsAndArchivesComesBack) {
 
 // A photograph of the project, as it was entered.
 void enterPhotograph(const fs::path& project, const std::string& bytes) {
-  auto opened = catalogue::Project::open(project);
+  auto opened = upkeep::Project::open(project);
   ASSERT_TRUE(opened);
-  catalogue::FileRecord file;
+  records::FileRecord file;
   file.path = "batches/B0001/front/cam0_pos00.jpg";
   file.sha256 = ostraka::sha256(bytes);
   file.bytes = static_cast<std::int64_t>(bytes.size());

@@ -36,7 +36,7 @@ int runTorture(const char* driver, int stops, std::uint64_t seed) {
 // Three cameras of 1600 x 1200 pixels, eight stops, a table that needs 2.25 s a stop, real time.
 int runOverhead() {
   auto rig = capture::testing::makeFlatRig(3);
-  rig.truth->clock = capture::steadyClock();
+  rig.truth->clock = devices::steadyClock();
   rig.truth->scene.width = 1600;
   rig.devices.clock = rig.truth->clock;
   rig.devices.settle_s = 1.0;

@@ -53,14 +53,14 @@ std::string tableOf(int rows) {
   const char* parts[] = {"rim", "neck", "shoulder", "body", "base", "handle", "spout", "lid"};
   const char* wares[] = {"grey", "red check_failed", "black burnished", "cooking", "painted fine"};
   const char* surfaces[] = {"plain", "smoothed", "burnished", "check_failed", "washed"};
-  std::string text = exchange::csvLine({"number", "site", "trench", "context", "bag", "part",
-                                        "ware", "surface_out", "munsell_out", "condition",
-                                        "length_mm", "thickness_mean_mm", "weight_g", "note"});
+  std::string text = tables::csvLine({"number", "site", "trench", "context", "bag", "part", "ware",
+                                      "surface_out", "munsell_out", "condition", "length_mm",
+                                      "thickness_mean_mm", "weight_g", "note"});
   for (int i = 0; i < rows; ++i) {
     const std::string trench = "T" + std::to_string(i / 20'000 + 1);
     const std::string context = std::to_string(10'001 + i / 200).substr(1);
     const std::string n = std::to_string(10'001 + i % 200).substr(1);
-    text += exchange::csvLine(
+    text += tables::csvLine(
         {"ARM1-" + trench + "-" + context + "-" + n, "ARM1", trench, context,
          std::to_string(i / 50 % 4 + 1), parts[i % 8], wares[i % 5], surfaces[i % 5], "10YR 3/1",
          i % 7 == 0 ? "burnt" : "worn", std::to_string(20 + i % 90),
@@ -71,13 +71,13 @@ std::string tableOf(int rows) {
 }
 
 // One field of all sherds, there and back, as the window's bulk edit does it.
-int changeAll(catalogue::Catalogue& all, const std::vector<catalogue::SherdRow>& ids) {
+int changeAll(catalogue::Catalogue& all, const std::vector<store::SherdRow>& ids) {
   QuietProgress quiet;
-  std::vector<catalogue::FieldChange> changes;
-  for (const catalogue::SherdRow& row : ids) changes.push_back({row, "vessel", "V1"});
+  std::vector<records::FieldChange> changes;
+  for (const store::SherdRow& row : ids) changes.push_back({row, "vessel", "V1"});
   std::size_t undone = 0;
   for (const char* what : {"a field of all rows changed", "and taken back"}) {
-    Result<std::vector<catalogue::FieldChange>> undo = std::vector<catalogue::FieldChange>();
+    Result<std::vector<records::FieldChange>> undo = std::vector<records::FieldChange>();
     const double time =
         milliseconds([&] { undo = catalogue::changeMany(all, changes, {}, quiet, {}); });
     if (!undo) return std::fprintf(stderr, "%s\n", undo.error().sentence().c_str()), 1;
@@ -90,29 +90,29 @@ int changeAll(catalogue::Catalogue& all, const std::vector<catalogue::SherdRow>&
 
 int run(const std::filesystem::path& folder, int rows, const std::string& changes) {
   QuietProgress quiet;
-  if (!catalogue::Project::isProject(folder)) {
-    catalogue::ProjectRecord record;
+  if (!upkeep::Project::isProject(folder)) {
+    records::ProjectRecord record;
     record.code = "ARM";
-    Result<catalogue::Project> made = catalogue::Project::create(folder, record);
+    Result<upkeep::Project> made = upkeep::Project::create(folder, record);
     if (!made) return std::fprintf(stderr, "%s\n", made.error().sentence().c_str()), 1;
     std::size_t entered = 0;
     const std::string table = tableOf(rows);
     const double time = milliseconds([&] {
-      const auto report = exchange::importTable(
+      const auto report = tables::importTable(
           made->catalogue(), table, "table",
-          {exchange::ImportMode::Enter, exchange::UnknownPlaces::Make}, {}, quiet, {});
+          {tables::ImportMode::Enter, tables::UnknownPlaces::Make}, {}, quiet, {});
       if (report) entered = static_cast<std::size_t>(report->fresh);
     });
     std::printf("%-40s %8zu rows  %9.1f s\n", "import of a table", entered, time / 1000);
   }
   measure("open the project, all rows by number", [&] {
-    Result<catalogue::Project> project = catalogue::Project::open(folder);
+    Result<upkeep::Project> project = upkeep::Project::open(folder);
     return project->catalogue().sherdRows({}, {})->size();
   });
-  Result<catalogue::Project> project = catalogue::Project::open(folder);
+  Result<upkeep::Project> project = upkeep::Project::open(folder);
   if (!project) return std::fprintf(stderr, "%s\n", project.error().sentence().c_str()), 1;
   catalogue::Catalogue& all = project->catalogue();
-  const std::vector<catalogue::SherdRow> ids = *all.sherdRows({}, {});
+  const std::vector<store::SherdRow> ids = *all.sherdRows({}, {});
   std::size_t jump = 0;
   measure("a page of 128 somewhere", [&] {
     jump = (jump + 37'777) % (ids.size() - 128);

@@ -11,13 +11,13 @@ int main(int argc, char** argv) {
   if (argc < 5) return std::fprintf(stderr, "register_sets SCANS OUT THREADS SET...\n"), 2;
   const std::filesystem::path scans = argv[1], out = argv[2];
   for (int i = 4; i < argc; ++i) {
-    ostraka::pipeline::RegisterOptions options;
+    ostraka::scansets::RegisterOptions options;
     options.front = scans / argv[i] / "front";
     options.back = scans / argv[i] / "back";
     options.output = out / argv[i];
     options.threads = std::atoi(argv[3]);
     ostraka::QuietProgress quiet;
-    const auto summary = ostraka::pipeline::registerScans(options, quiet, {});
+    const auto summary = ostraka::scansets::registerScans(options, quiet, {});
     if (!summary) return std::fprintf(stderr, "%s\n", summary.error().sentence().c_str()), 1;
     std::printf("%-12s %2zu pairs, %d to decide, %zu + %zu alone, %.2f s, %.2f s a pair\n", argv[i],
                 summary->pairs.size(), summary->ambiguous(), summary->unpaired_front.size(),

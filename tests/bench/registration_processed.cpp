@@ -159,7 +159,7 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
 
 void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios& ratios) {
   const auto cameras = rig::readCameras(out / "work" / "rig" / "cameras.json");
-  const auto table = pipeline::readCandidates(out / "work" / "pairs" / "candidates.json");
+  const auto table = decisions::readCandidates(out / "work" / "pairs" / "candidates.json");
   const std::vector<Sherd> sherds = readTruth(truth);
   if (!cameras || !table || sherds.empty()) {
     std::fprintf(stderr, "%s is no finished result, or its truth is not there.\n", out.c_str());
@@ -174,7 +174,7 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
     (of_front ? front_views : back_views).push_back({camera, mask});
   }
   const reg::Constraints constraints{front_views, back_views, true, true};
-  for (const pipeline::RegisteredCandidate& c : table->candidates) {
+  for (const decisions::RegisteredCandidate& c : table->candidates) {
     scan::Scan front, back;
     front.cloud = *readPlyCloud(out / "work" /
                                 table->front_files[static_cast<std::size_t>(c.evidence.front)]);

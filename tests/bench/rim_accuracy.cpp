@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
   std::vector<double> errors;
   int inside = 0, missed = 0, stated = 0, stated_inside = 0, stated_of_all = 0;
   for (int i = 0; i < count; ++i) {
-    const auto truth = drawing::trueSherd(
-        wall ? virtualrig::SherdPart::Wall : virtualrig::SherdPart::Rim, first + i, noise);
+    const auto truth = drawing::trueSherd(wall ? vessels::SherdPart::Wall : vessels::SherdPart::Rim,
+                                          first + i, noise);
     const drawing::Walls walls = drawing::findWalls(truth.sherd.mesh);
     const auto rim = drawing::findRim(walls);
     std::printf("%llu %-10s kept %4.1f %% true %6.1f ", first + i, truth.sherd.kind.c_str(),

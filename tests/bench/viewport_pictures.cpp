@@ -48,7 +48,7 @@ struct Studio {
   }
 };
 
-ShownScan shown(const pipeline::ScanCloud& scan) {
+ShownScan shown(const review::ScanCloud& scan) {
   return {scan.cloud, scan.fracture};
 }
 
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   prepareOpenGl();
   QApplication application(argc, argv);
   if (argc < 3) return std::fputs("viewport_pictures OUTPUT FOLDER\n", stderr), 2;
-  const auto live = pipeline::LivePairs::open(argv[1]);
+  const auto live = review::LivePairs::open(argv[1]);
   if (!live) return std::fprintf(stderr, "%s\n", live.error().what.c_str()), 1;
   const auto& candidates = (*live)->table().candidates;
   if (candidates.empty()) return std::fputs("no pair\n", stderr), 1;
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   const ShownScan sparse_front = scan(batch::Side::Front, front_scan, 1500);
   const ShownScan sparse_back = scan(batch::Side::Back, back_scan, 1500);
   ShownDistances distances;
-  const Result<pipeline::PairView> pair = (*live)->view(front_scan, back_scan, pose);
+  const Result<review::PairView> pair = (*live)->view(front_scan, back_scan, pose);
   if (!pair) return std::fprintf(stderr, "%s\n", pair.error().what.c_str()), 1;
   for (const registration::FractureDistance& d : pair->fracture) {
     distances.points.push_back(d.point);

@@ -101,13 +101,13 @@ void print(const char* what, std::vector<double> delays) {
               delays.size(), at(0.5), at(0.99), delays.back(), static_cast<long>(late));
 }
 
-ostraka::Result<ostraka::catalogue::Project> projectIn(const std::filesystem::path& folder) {
+ostraka::Result<ostraka::upkeep::Project> projectIn(const std::filesystem::path& folder) {
   using namespace ostraka;
-  if (catalogue::Project::isProject(folder)) return catalogue::Project::open(folder);
-  catalogue::ProjectRecord record;
+  if (upkeep::Project::isProject(folder)) return upkeep::Project::open(folder);
+  records::ProjectRecord record;
   record.code = "BENCH";
   record.title = "Bench";
-  return catalogue::Project::create(folder, record);
+  return upkeep::Project::create(folder, record);
 }
 
 // A project with one batch more in its queue.
@@ -118,8 +118,8 @@ bool makeProject(const std::filesystem::path& batch, const std::filesystem::path
     std::fprintf(stderr, "%s\n", project.error().sentence().c_str());
     return false;
   }
-  catalogue::BatchRecord queued;
-  queued.state = catalogue::BatchState::Queued;
+  records::BatchRecord queued;
+  queued.state = records::BatchState::Queued;
   const auto row = project->catalogue().addBatch(queued, {});
   if (!row) return false;
   const std::string number = project->catalogue().batch(*row)->number;

@@ -35,12 +35,12 @@ TEST_F(FlippedBits, OfTheCatalogueAreFoundOrHarmless) {
 }
 
 TEST_F(FlippedBits, OfPhotographsAndModelsAreAllFound) {
-  const auto files = catalogue::valueIn(catalogue::knownFiles(catalogue()));
+  const auto files = catalogue::valueIn(upkeep::knownFiles(catalogue()));
   ASSERT_GT(files.size(), 6u);
   std::mt19937_64 random(seed());
   int found = 0;
   for (int i = 0; i < flips(); ++i) {
-    const catalogue::KnownFile& chosen = files[random() % files.size()];
+    const upkeep::KnownFile& chosen = files[random() % files.size()];
     const fs::path file = project_->folder() / chosen.path;
     const std::string whole = catalogue::bytesOf(file);
     ASSERT_FALSE(whole.empty()) << file;
@@ -48,8 +48,8 @@ TEST_F(FlippedBits, OfPhotographsAndModelsAreAllFound) {
     bytes[random() % bytes.size()] ^= static_cast<char>(1 << random() % 8);
     catalogue::writeBytes(file, bytes);
     fs::remove(project_->folder() / "file-checks.txt");
-    const auto checked = catalogue::valueIn(catalogue::checkFiles(
-        catalogue(), project_->folder(), catalogue::CheckDepth::Hashes, quiet, {}));
+    const auto checked = catalogue::valueIn(
+        upkeep::checkFiles(catalogue(), project_->folder(), upkeep::CheckDepth::Hashes, quiet, {}));
     found += checked.damaged.size() == 1 && checked.damaged[0].file.path == chosen.path ? 1 : 0;
     catalogue::writeBytes(file, whole);
   }

@@ -55,7 +55,7 @@ TEST_F(FullDiskOfACatalogue, AnImportSaysHowManyRowsAreIn) {
       [&] { copy("project", "work"); },
       [&](const Ended& ended) {
         expectReadable("work");
-        const Result<catalogue::Project> open = catalogue::Project::open(at("work"));
+        const Result<upkeep::Project> open = upkeep::Project::open(at("work"));
         const std::size_t entered = open->catalogue().sherdRows({}, {})->size() - 3;
         if (ended.errors.find("300 rows in total") != std::string::npos)
           EXPECT_NE(
@@ -116,7 +116,7 @@ TEST_F(FullDiskOfACatalogue, ACheckSaysThatItsBackupHasNoRoom) {
       {"catalogue", "check", at("work")}, at("work"), 5, [&] { copy("project", "work"); },
       [&](const Ended&) {
         expectReadable("work");
-        EXPECT_TRUE(catalogue::backupsOf(at("work")).empty());
+        EXPECT_TRUE(upkeep::backupsOf(at("work")).empty());
       },
       [&] { expectWhole("work", 3); });
 }

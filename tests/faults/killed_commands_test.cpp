@@ -64,7 +64,7 @@ TEST_F(KilledCommands, ANewProjectIsMadeBySayingItAgain) {
       {"catalogue", "new", "--output", at("new"), "--code", "ARM"}, errors(),
       [&] { fs::remove_all(at("new")); },
       [&] {
-        if (catalogue::Project::isProject(at("new"))) expectReadable("new");
+        if (upkeep::Project::isProject(at("new"))) expectReadable("new");
       },
       [&](const Ended& again) {
         // One that was whole when it was killed is there.
@@ -150,7 +150,7 @@ TEST_F(KilledCommands, ACheckLeavesWholeBackupsOnly) {
   project_.reset();
   const std::string content = *catalogue::contentOf(at("project"));
   const auto backups_are_whole = [&] {
-    for (const fs::path& backup : catalogue::backupsOf(at("work"))) {
+    for (const fs::path& backup : upkeep::backupsOf(at("work"))) {
       fs::remove_all(at("back"));
       fs::create_directories(at("back"));
       fs::copy(backup, at("back/catalogue.sqlite"));
@@ -164,7 +164,7 @@ TEST_F(KilledCommands, ACheckLeavesWholeBackupsOnly) {
       [&](const Ended& again) {
         expectDone(again);
         expectWhole("work", 3);
-        EXPECT_FALSE(catalogue::backupsOf(at("work")).empty());
+        EXPECT_FALSE(upkeep::backupsOf(at("work")).empty());
         backups_are_whole();
       });
 }

@@ -18,7 +18,7 @@ class ProjectCommands : public exchange::ExportedProject {
   }
   static void expectDone(const Ended& ended) { EXPECT_EQ(ended.status, 0) << ended.errors; }
   void expectWhole(const std::string& project, std::size_t sherds) {
-    const Result<catalogue::Project> open = catalogue::Project::open(at(project));
+    const Result<upkeep::Project> open = upkeep::Project::open(at(project));
     ASSERT_TRUE(open) << open.error().sentence();
     const Result<void> whole = open->catalogue().checkIntegrity();
     EXPECT_TRUE(whole) << whole.error().sentence();
@@ -28,7 +28,7 @@ class ProjectCommands : public exchange::ExportedProject {
           << entry.path();
   }
   void expectReadable(const std::string& project) {
-    const Result<catalogue::Project> open = catalogue::Project::open(at(project));
+    const Result<upkeep::Project> open = upkeep::Project::open(at(project));
     ASSERT_TRUE(open) << open.error().sentence();
     const Result<void> whole = open->catalogue().checkIntegrity();
     EXPECT_TRUE(whole) << whole.error().sentence();

@@ -10,22 +10,23 @@ namespace ostraka::fuzz {
 
 void decisions(std::string_view bytes) {
   using namespace pipeline;
-  const Result<Decisions> read = parseDecisions(bytes, "fuzz.json");
+  const Result<decisions::Decisions> read = decisions::parseDecisions(bytes, "fuzz.json");
   mustNameItself(read);
   if (!read) return;
-  const Decisions holding = standing(*read);
+  const decisions::Decisions holding = decisions::standing(*read);
   must(holding.size() <= read->size(), "nothing stands that was not said");
-  CandidateTable table;
+  decisions::CandidateTable table;
   table.fronts = {{batch::Side::Front, "f001", {0, 0}}, {batch::Side::Front, "f002", {50, 0}}};
   table.backs = {{batch::Side::Back, "b001", {0, 0}}, {batch::Side::Back, "b002", {50, 0}}};
-  const Settled settled = settledBy(holding, table);
+  const decisions::Settled settled = decisions::settledBy(holding, table);
   must(settled.pairs.size() <= 2, "no scan is paired twice");
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-    must(editedPieces({}, side, holding).scans.empty(), "of no scan no piece is made");
-    (void)hasEdits(holding, side);
+    must(decisions::editedPieces({}, side, holding).scans.empty(), "of no scan no piece is made");
+    (void)decisions::hasEdits(holding, side);
   }
   const nlohmann::ordered_json written = {{"format", 1}, {"decisions", toJson(*read)}};
-  const Result<Decisions> again = parseDecisions(written.dump(), "again.json");
+  const Result<decisions::Decisions> again =
+      decisions::parseDecisions(written.dump(), "again.json");
   must(again.has_value() && again->size() == read->size(), "what was read is written and read");
 }
 

@@ -11,9 +11,9 @@ namespace ostraka::fuzz {
 namespace {
 
 // Says the bytes, cut into pieces, whatever it is told; then it is silent.
-class SayingChannel final : public capture::ByteChannel {
+class SayingChannel final : public devices::ByteChannel {
  public:
-  SayingChannel(std::string_view bytes, std::shared_ptr<capture::Clock> clock)
+  SayingChannel(std::string_view bytes, std::shared_ptr<devices::Clock> clock)
       : bytes_(bytes), clock_(std::move(clock)) {}
   std::string name() const override { return "fuzz"; }
   Result<void> write(std::string_view) override { return {}; }
@@ -32,10 +32,10 @@ class SayingChannel final : public capture::ByteChannel {
 
  private:
   std::string_view bytes_;
-  std::shared_ptr<capture::Clock> clock_;
+  std::shared_ptr<devices::Clock> clock_;
 };
 
-class FuzzClock final : public capture::Clock {
+class FuzzClock final : public devices::Clock {
  public:
   double now_s() override { return now_s_; }
   bool sleep(double seconds, std::stop_token) override {
@@ -49,7 +49,7 @@ class FuzzClock final : public capture::Clock {
 };
 
 // An open table that was told to turn either stands there or says what is wrong.
-void mustStandOrSay(const Result<std::unique_ptr<capture::Turntable>>& table) {
+void mustStandOrSay(const Result<std::unique_ptr<devices::Turntable>>& table) {
   mustNameItself(table);
   if (!table) return;
   mustNameItself((*table)->zeroHere({}));
@@ -67,22 +67,26 @@ void deviceReplies(std::string_view bytes) {
     const std::size_t end = rest.find_first_of("\n;");
     const std::string_view line = rest.substr(0, end);
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    if (const auto report = capture::parseGrblReport(line))
+    if (const auto report = turntables::parseGrblReport(line))
       must(!report->machine || std::isfinite(*report->machine), "positions are finite");
-    (void)capture::grblTrouble(line);
-    for (const auto dialect : {capture::ComXimDialect::Brackets, capture::ComXimDialect::Commas})
-      must(std::isfinite(capture::parseComXimReply(line, dialect).angle_deg), "angles are finite");
+    (void)turntables::grblTrouble(line);
+    for (const auto dialect :
+         {turntables::ComXimDialect::Brackets, turntables::ComXimDialect::Commas})
+      must(std::isfinite(turntables::parseComXimReply(line, dialect).angle_deg),
+           "angles are finite");
   }
   const auto clock = std::make_shared<FuzzClock>();
-  mustStandOrSay(capture::openGrbl(std::make_unique<SayingChannel>(bytes, clock), {}, clock, {}));
-  for (const auto dialect : {capture::ComXimDialect::Brackets, capture::ComXimDialect::Commas}) {
-    capture::ComXimOptions options;
+  mustStandOrSay(
+      turntables::openGrbl(std::make_unique<SayingChannel>(bytes, clock), {}, clock, {}));
+  for (const auto dialect :
+       {turntables::ComXimDialect::Brackets, turntables::ComXimDialect::Commas}) {
+    turntables::ComXimOptions options;
     options.dialect = dialect;
     mustStandOrSay(
-        capture::openComXim(std::make_unique<SayingChannel>(bytes, clock), options, clock, {}));
+        turntables::openComXim(std::make_unique<SayingChannel>(bytes, clock), options, clock, {}));
   }
   mustStandOrSay(
-      capture::openTextTable(std::make_unique<SayingChannel>(bytes, clock), {}, clock, {}));
+      turntables::openTextTable(std::make_unique<SayingChannel>(bytes, clock), {}, clock, {}));
 }
 
 }  // namespace ostraka::fuzz

@@ -29,7 +29,7 @@ void modelLabel(std::string_view bytes) {
 }
 
 void spreadsheet(std::string_view bytes) {
-  exchange::OdsSheet sheet("Sherds", {{"text"}, {"number", true}, {"text 2"}});
+  tables::OdsSheet sheet("Sherds", {{"text"}, {"number", true}, {"text 2"}});
   std::istringstream lines{std::string(bytes)};
   for (std::string line; std::getline(lines, line);) {
     std::vector<std::string> values(3);
@@ -37,10 +37,10 @@ void spreadsheet(std::string_view bytes) {
     for (std::string& value : values) std::getline(fields, value, '\t');
     // The writer takes UTF-8, which every reader of a table has checked.
     for (std::string& value : values)
-      if (!catalogue::isUtf8(value)) value.clear();
+      if (!store::isUtf8(value)) value.clear();
     sheet.row(values);
   }
-  const Result<std::string> written = exchange::formatOds({sheet});
+  const Result<std::string> written = tables::formatOds({sheet});
   mustNameItself(written);
   if (!written) return;
   const std::size_t begin = written->find("<office:document-content");
@@ -58,7 +58,7 @@ void spreadsheet(std::string_view bytes) {
 void labelCode(std::string_view bytes) {
   if (const auto code = catalogue::readLabelCode(bytes)) {
     must(!code->number.empty(), "a code has a number");
-    must(catalogue::isUtf8(code->number) || !catalogue::isUtf8(bytes), "a number is a text");
+    must(store::isUtf8(code->number) || !store::isUtf8(bytes), "a number is a text");
   }
   mustNameItself(capture::codesIn(bytes));
 }

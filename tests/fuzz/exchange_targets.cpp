@@ -8,24 +8,24 @@
 
 namespace ostraka::fuzz {
 void table(std::string_view bytes) {
-  const Result<exchange::CsvTable> read = exchange::parseCsv(bytes, "fuzz.csv");
+  const Result<tables::CsvTable> read = tables::parseCsv(bytes, "fuzz.csv");
   if (!read) {
     must(!read.error().what.empty(), "an error has a sentence");
     return;
   }
-  std::string written = exchange::csvLine(read->columns);
-  for (const exchange::CsvRow& row : read->rows) {
+  std::string written = tables::csvLine(read->columns);
+  for (const tables::CsvRow& row : read->rows) {
     for (const std::string& value : row.values) {
-      must(catalogue::isUtf8(value), "values are UTF-8");
-      must(exchange::unguarded(exchange::guarded(value)) == value, "the guard can be taken off");
+      must(store::isUtf8(value), "values are UTF-8");
+      must(tables::unguarded(tables::guarded(value)) == value, "the guard can be taken off");
       if (const Result<catalogue::Filter> filter = catalogue::parseFilter(value))
         must(catalogue::parseFilter(filter->text()).has_value(), "a filter's text is a filter");
     }
-    written += exchange::csvLine(row.values);
+    written += tables::csvLine(row.values);
   }
   // A table of one empty column is written as an empty line, which no reader can tell from none.
   if (read->columns.size() < 2 || read->separator != ',') return;
-  const Result<exchange::CsvTable> again = exchange::parseCsv(written, "again.csv");
+  const Result<tables::CsvTable> again = tables::parseCsv(written, "again.csv");
   must(again.has_value() && again->columns == read->columns &&
            again->rows.size() == read->rows.size(),
        "what was read can be written and read");

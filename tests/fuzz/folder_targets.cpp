@@ -41,14 +41,14 @@ bool belongsToAProject(const std::string& file) {
 void archive(std::string_view bytes) {
   const Sandbox sandbox(foreignFiles(bytes));
   QuietProgress quiet;
-  const auto restored = exchange::restoreProject(sandbox.foreign(), sandbox.target(), quiet, {});
+  const auto restored = archive::restoreProject(sandbox.foreign(), sandbox.target(), quiet, {});
   mustNameItself(restored);
   sandbox.mustBeContained();
   if (!restored) {
     must(!fs::exists(sandbox.target()), "what was refused leaves nothing behind");
     return;
   }
-  const auto project = catalogue::Project::open(sandbox.target());
+  const auto project = upkeep::Project::open(sandbox.target());
   must(project.has_value(), "what was restored can be opened");
 }
 
@@ -58,12 +58,12 @@ void exportFolder(std::string_view bytes) {
   fs::create_directory(sandbox.target());
   must(writeFileAtomically(sandbox.target() / "catalogue.sqlite", emptyCatalogue()).has_value(),
        "a catalogue is written");
-  auto project = catalogue::Project::open(sandbox.target());
+  auto project = upkeep::Project::open(sandbox.target());
   must(project.has_value(), "a project is opened");
   const std::set<std::string> before = filesBelow(sandbox.target());
   QuietProgress quiet;
   const auto entered =
-      exchange::readBack(*project, sandbox.foreign(), exchange::ImportMode::Enter, {}, quiet, {});
+      exchange::readBack(*project, sandbox.foreign(), tables::ImportMode::Enter, {}, quiet, {});
   mustNameItself(entered);
   sandbox.mustBeContained();
   for (const std::string& file : filesBelow(sandbox.target()))
@@ -86,10 +86,10 @@ void batchManifest(std::string_view bytes) {
 
 void outputFolder(std::string_view bytes) {
   const Sandbox sandbox(foreignFiles(bytes));
-  mustNameItself(pipeline::readCandidates(sandbox.foreign() / "candidates.json"));
-  mustNameItself(pipeline::readMaskStrokes(sandbox.foreign()));
-  mustNameItself(pipeline::maskedPhotographs(sandbox.foreign()));
-  mustNameItself(pipeline::readDecisions(sandbox.foreign()));
+  mustNameItself(decisions::readCandidates(sandbox.foreign() / "candidates.json"));
+  mustNameItself(decisions::readMaskStrokes(sandbox.foreign()));
+  mustNameItself(decisions::maskedPhotographs(sandbox.foreign()));
+  mustNameItself(decisions::readDecisions(sandbox.foreign()));
   sandbox.mustBeContained();
 }
 

@@ -60,11 +60,11 @@ std::string emptyCatalogue() {
   static const std::string bytes = [] {
     std::string name = (fs::temp_directory_path() / "ostraka-fuzz-XXXXXX").string();
     must(::mkdtemp(name.data()) != nullptr, "a scratch folder");
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     std::string made;
     {
-      const auto project = catalogue::Project::create(fs::path(name) / "project", record);
+      const auto project = upkeep::Project::create(fs::path(name) / "project", record);
       must(project.has_value(), "a project");
       const fs::path copy = fs::path(name) / "copy.sqlite";
       must(project->catalogue().backup(copy).has_value(), "a copy of the catalogue");

@@ -70,7 +70,7 @@ void rigFile(std::string_view bytes) {
   mustNameItself(capture::readDevices(file.path()));
   const Result<nlohmann::json> value = parseJson(bytes, "fuzz.json");
   if (!value) return;
-  const Result<capture::TextDialect> dialect = capture::dialectFromJson(*value);
+  const Result<turntables::TextDialect> dialect = turntables::dialectFromJson(*value);
   mustNameItself(dialect);
   if (dialect) must(dialect->check().has_value(), "a dialect that was read can be used");
 }

@@ -73,18 +73,18 @@ void BatchImporter::cancel() {
 }
 
 Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& place) {
-  catalogue::Project& project = session_->project();
+  upkeep::Project& project = session_->project();
   catalogue::Catalogue& rows = project.catalogue();
-  catalogue::Provenance provenance = session_->provenance();
+  records::Provenance provenance = session_->provenance();
   provenance.source = "import";
   const Result<std::int64_t> bag = bagRowOf(rows, place, provenance);
   if (!bag) return bag.error();
-  catalogue::BatchRecord batch;
+  records::BatchRecord batch;
   if (*bag != 0) batch.bags.push_back({*bag});
   batch.operator_ = provenance.person;
   batch.started_ms = copied.first_taken_ms;  // the day of the import is not the photographs'
   batch.ended_ms = copied.last_taken_ms;
-  batch.state = catalogue::BatchState::Failed;  // until its files are in place
+  batch.state = records::BatchState::Failed;  // until its files are in place
   const auto row = rows.addBatch(batch, provenance);
   if (!row) return row.error();
   const auto made = rows.batch(*row);
@@ -97,7 +97,7 @@ Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& pl
                      .arg(QString::fromStdString(error.message()))
                      .toStdString(),
                  project.batchFolder(made->number).string()};
-  if (const auto queued = rows.setBatchState(*row, catalogue::BatchState::Queued, provenance);
+  if (const auto queued = rows.setBatchState(*row, records::BatchState::Queued, provenance);
       !queued)
     return queued.error();
   return QString::fromStdString(made->number);

@@ -31,7 +31,7 @@ void BatchInHand::resume() {
   const auto batches = session_->project().catalogue().batches();
   if (!batches) return;
   const auto last = std::find_if(batches->begin(), batches->end(), [](const auto& batch) {
-    return batch.state <= catalogue::BatchState::Back;
+    return batch.state <= records::BatchState::Back;
   });
   if (last == batches->end()) return;
   take(*last);
@@ -40,10 +40,10 @@ void BatchInHand::resume() {
 void BatchInHand::resume(const QString& number) {
   if (session_ == nullptr) return;
   const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
-  if (batch && batch->state <= catalogue::BatchState::Back) take(*batch);
+  if (batch && batch->state <= records::BatchState::Back) take(*batch);
 }
 
-void BatchInHand::take(const catalogue::BatchRecord& batch) {
+void BatchInHand::take(const records::BatchRecord& batch) {
   number_ = QString::fromStdString(batch.number);
   row_ = batch.row.value;
   counted_ = batch.counted;
@@ -87,15 +87,15 @@ std::vector<std::vector<std::filesystem::path>> BatchInHand::files(batch::Side s
   return by_camera;
 }
 
-catalogue::BatchState BatchInHand::state() const {
-  if (session_ == nullptr || row_ == 0) return catalogue::BatchState::Placed;
+records::BatchState BatchInHand::state() const {
+  if (session_ == nullptr || row_ == 0) return records::BatchState::Placed;
   const auto batch = session_->project().catalogue().batch({row_});
-  return batch ? batch->state : catalogue::BatchState::Placed;
+  return batch ? batch->state : records::BatchState::Placed;
 }
 
 bool BatchInHand::isComputed() const {
-  const catalogue::BatchState now = state();
-  return now == catalogue::BatchState::Review || now == catalogue::BatchState::Done;
+  const records::BatchState now = state();
+  return now == records::BatchState::Review || now == records::BatchState::Done;
 }
 
 PlaceText BatchInHand::place() const {
@@ -113,7 +113,7 @@ QStringList BatchInHand::toPhotographAgain() const {
   QStringList sherds;
   if (session_ == nullptr) return sherds;
   if (const auto waiting = catalogue::toPhotographAgain(session_->project().catalogue()))
-    for (const catalogue::SherdRecord& sherd : *waiting)
+    for (const records::SherdRecord& sherd : *waiting)
       sherds << QStringLiteral("%1 (%2)").arg(QString::fromStdString(sherd.number),
                                               QString::fromStdString(sherd.batch_number));
   return sherds;
@@ -146,7 +146,7 @@ QStringList BatchInHand::numbersOfAnotherBag() const {
 
 Result<void> BatchInHand::begin(const PlaceText& place) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Provenance provenance = session_->provenance();
+  const records::Provenance provenance = session_->provenance();
   if (row_ != 0) {  // begun before the person counted, or under another bag
     auto batch = rows.batch({row_});
     if (!batch) return batch.error();
@@ -164,7 +164,7 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
   }
   const Result<std::int64_t> bag = bagRowOf(rows, place, provenance);
   if (!bag) return bag.error();
-  catalogue::BatchRecord batch;
+  records::BatchRecord batch;
   if (*bag != 0) batch.bags.push_back({*bag});
   batch.operator_ = provenance.person;
   batch.counted = counted_;
@@ -179,7 +179,7 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
   return {};
 }
 
-Result<void> BatchInHand::setState(catalogue::BatchState state) {
+Result<void> BatchInHand::setState(records::BatchState state) {
   Result<void> set =
       session_->project().catalogue().setBatchState({row_}, state, session_->provenance());
   session_->tellBatchChanged(number_);
@@ -197,7 +197,7 @@ Result<void> BatchInHand::queue(int seen) {
   else if (seen > 0)
     batch->counted = seen;
   if (Result<void> saved = rows.saveBatch(*batch, session_->provenance()); !saved) return saved;
-  return setState(catalogue::BatchState::Queued);
+  return setState(records::BatchState::Queued);
 }
 
 }  // namespace ostraka::ui

@@ -36,7 +36,7 @@ class BatchInHand {
   std::vector<TakenShot> photographs(batch::Side side) const;
   /// The same as files, by camera.
   std::vector<std::vector<std::filesystem::path>> files(batch::Side side, int cameras) const;
-  catalogue::BatchState state() const;
+  records::BatchState state() const;
   bool isComputed() const;  ///< and be it as a draft
   /// Sherds that a person has counted; 0: not counted.
   int counted() const { return counted_; }
@@ -54,13 +54,13 @@ class BatchInHand {
   /// Makes it, with the place that its sherds are from, or keeps what came later of place and
   /// count.
   Result<void> begin(const PlaceText& place);
-  Result<void> setState(catalogue::BatchState state);
+  Result<void> setState(records::BatchState state);
   /// Its photographs are whole. seen: sherds on the photographs, 0 when not known; what a person
   /// has counted goes before.
   Result<void> queue(int seen);
 
  private:
-  void take(const catalogue::BatchRecord& batch);
+  void take(const records::BatchRecord& batch);
   QStringList numbersThatMayFit() const;
 
   QPointer<ProjectSession> session_;

@@ -13,7 +13,7 @@
 namespace ostraka::ui {
 namespace {
 
-using catalogue::BatchState;
+using records::BatchState;
 
 struct SideTaken {
   capture::SideSummary summary;
@@ -332,7 +332,7 @@ void CaptureWizard::keep(const PlaceText& place) {
   if (const Result<void> kept = batch_.begin(place); !kept) emit said(sentenceOf(kept.error()));
 }
 
-void CaptureWizard::setState(catalogue::BatchState state) {
+void CaptureWizard::setState(records::BatchState state) {
   if (const Result<void> set = batch_.setState(state); !set) emit said(sentenceOf(set.error()));
 }
 

@@ -111,7 +111,7 @@ class CaptureWizard final : public QObject {
   void doubtCount(const capture::SideCheck& check);
   void goOnWithin(batch::Side side);
   void takePlace();
-  void setState(catalogue::BatchState state);
+  void setState(records::BatchState state);
   void queueBatch();
   void lookLive();
   void lookAtFront();

@@ -31,7 +31,7 @@ QStringList partsOf(const std::string& text) {
 }
 
 bool isSame(const QString& a, const QString& b) {
-  return catalogue::uniqueKey(a.toStdString()) == catalogue::uniqueKey(b.toStdString());
+  return store::uniqueKey(a.toStdString()) == store::uniqueKey(b.toStdString());
 }
 
 bool beginWith(const QStringList& typed, const QStringList& start) {
@@ -40,10 +40,10 @@ bool beginWith(const QStringList& typed, const QStringList& start) {
 }
 
 // The bag as the rest of the typed parts names it; only one that is known may have several parts.
-QString bagOf(const Catalogue& rows, catalogue::ContextRow context, const QStringList& rest) {
+QString bagOf(const Catalogue& rows, store::ContextRow context, const QStringList& rest) {
   if (rest.size() == 1) return rest.front();
   if (const auto bags = rows.bags(context))
-    for (const catalogue::BagRecord& bag : *bags)
+    for (const records::BagRecord& bag : *bags)
       if (const QStringList parts = partsOf(bag.number);
           parts.size() == rest.size() &&
           std::equal(parts.begin(), parts.end(), rest.begin(), isSame))
@@ -57,7 +57,7 @@ std::optional<PlaceText> inKnownContext(const Catalogue& rows, const QStringList
   if (!contexts) return {};
   std::optional<PlaceText> found;
   qsizetype longest = 0;
-  for (const catalogue::ContextRecord& context : *contexts) {
+  for (const records::ContextRecord& context : *contexts) {
     const QStringList start =
         partsOf(context.site_code) + partsOf(context.trench_code) + partsOf(context.number);
     if (start.size() <= longest || !beginWith(typed, start)) continue;
@@ -76,7 +76,7 @@ std::optional<PlaceText> inKnownSite(const Catalogue& rows, const QStringList& t
   if (!sites) return {};
   std::optional<PlaceText> found;
   qsizetype longest = 1;  // a site's code of one part is read without knowing it
-  for (const catalogue::SiteRecord& site : *sites) {
+  for (const records::SiteRecord& site : *sites) {
     const QStringList start = partsOf(site.code), rest = typed.mid(start.size());
     if (start.size() <= longest || !beginWith(typed, start) || rest.size() < 2 || rest.size() > 3)
       continue;
@@ -160,21 +160,21 @@ QString newOf(const Catalogue& rows, const PlaceText& place) {
   };
   bool site = false, trench = place.trench.isEmpty(), context = false, bag = false;
   if (const auto sites = rows.sites())
-    for (const catalogue::SiteRecord& known : *sites) {
+    for (const records::SiteRecord& known : *sites) {
       if (!is(known.code, place.site)) continue;
       site = true;
       if (const auto trenches = rows.trenches())
-        for (const catalogue::TrenchRecord& one : *trenches)
+        for (const records::TrenchRecord& one : *trenches)
           trench = trench || (one.site == known.row && is(one.code, place.trench));
     }
   if (const auto contexts = rows.contexts())
-    for (const catalogue::ContextRecord& known : *contexts) {
+    for (const records::ContextRecord& known : *contexts) {
       if (!is(known.site_code, place.site) || !is(known.trench_code, place.trench) ||
           !is(known.number, place.context))
         continue;
       context = true;
       if (const auto bags = rows.bags(known.row))
-        for (const catalogue::BagRecord& one : *bags) bag = bag || is(one.number, place.bag);
+        for (const records::BagRecord& one : *bags) bag = bag || is(one.number, place.bag);
     }
   QStringList fresh;
   if (!site) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "site %1"), place.site);
@@ -185,7 +185,7 @@ QString newOf(const Catalogue& rows, const PlaceText& place) {
 }
 
 Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place,
-                              const catalogue::Provenance& provenance) {
+                              const records::Provenance& provenance) {
   if (place.isEmpty()) return std::int64_t{0};
   if (place.site.isEmpty() || place.context.isEmpty() || place.bag.isEmpty())
     return Error{ErrorCode::UnusableInput,

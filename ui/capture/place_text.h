@@ -7,8 +7,11 @@
 
 namespace ostraka::catalogue {
 class Catalogue;
-struct Provenance;
 }  // namespace ostraka::catalogue
+
+namespace ostraka::records {
+struct Provenance;
+}  // namespace ostraka::records
 
 namespace ostraka::ui {
 
@@ -38,6 +41,6 @@ QString newOf(const catalogue::Catalogue& catalogue, const PlaceText& place);
 /// The row of the bag, made with its context, trench and site where they are new; 0 and no error
 /// when nothing was given.
 Result<std::int64_t> bagRowOf(catalogue::Catalogue& catalogue, const PlaceText& place,
-                              const catalogue::Provenance& provenance);
+                              const records::Provenance& provenance);
 
 }  // namespace ostraka::ui

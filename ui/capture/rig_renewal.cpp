@@ -16,7 +16,7 @@ void RigRenewal::start(ProjectSession& session, const std::filesystem::path& rig
   if (job_ != nullptr) return;
   const auto work = [output = session.project().resultsFolder(batch.toStdString()), rig_file](
                         Progress&, std::stop_token) -> Result<std::string> {
-    const Result<std::filesystem::path> kept = pipeline::calibrateFrom(output, rig_file);
+    const Result<std::filesystem::path> kept = checks::calibrateFrom(output, rig_file);
     if (!kept) return kept.error();
     return kept->string();
   };

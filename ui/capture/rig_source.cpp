@@ -87,7 +87,7 @@ RigSource virtualRigSource(const RigChoice& choice) {
   source.anew_for_each_batch = true;
   source.turns_sherds = true;
   source.words = QCoreApplication::translate("Rig", "virtual");
-  source.open = [choice](int batch, const capture::AskPerson&,
+  source.open = [choice](int batch, const devices::AskPerson&,
                          std::stop_token) -> Result<std::shared_ptr<capture::RigDevices>> {
     Result<capture::RigDevices> devices = virtualrig::openVirtualRig(virtualOptions(choice, batch));
     if (!devices) return devices.error();
@@ -105,7 +105,7 @@ RigSource virtualRigSource(const RigChoice& choice) {
 RigSource fileRigSource(const fs::path& rig_file) {
   RigSource source;
   source.words = ageWords(rig_file);
-  source.open = [rig_file](int, const capture::AskPerson& ask,
+  source.open = [rig_file](int, const devices::AskPerson& ask,
                            std::stop_token stop) -> Result<std::shared_ptr<capture::RigDevices>> {
     Result<capture::RigDevices> devices = capture::openRigDevices(rig_file, ask, stop);
     if (!devices) return devices.error();
@@ -119,10 +119,10 @@ RigSource fileRigSource(const fs::path& rig_file) {
       return done;
     return copyWhole(rig_file, folder / "rig.json");
   };
-  source.holders = [] { return capture::desktopHolders(capture::findDevices({})); };
+  source.holders = [] { return cameras::desktopHolders(devices::findDevices({})); };
   source.release = [](std::stop_token stop) {
-    return capture::releaseFromDesktop(capture::findDevices({}), capture::programRunner(stop),
-                                       [] { return capture::findDevices({}); });
+    return cameras::releaseFromDesktop(devices::findDevices({}), cameras::programRunner(stop),
+                                       [] { return devices::findDevices({}); });
   };
   return source;
 }

@@ -31,7 +31,7 @@ struct RigChoice {
 /// for each batch.
 struct RigSource {
   std::function<Result<std::shared_ptr<capture::RigDevices>>(
-      int batch, const capture::AskPerson& ask, std::stop_token)>
+      int batch, const devices::AskPerson& ask, std::stop_token)>
       open;
   /// Puts into a new batch folder what belongs to the rig: plate, board, calibration.
   std::function<Result<void>(const std::filesystem::path& folder, int batch, Progress&,

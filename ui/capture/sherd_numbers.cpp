@@ -64,7 +64,7 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
   std::vector<catalogue::TypedNumber> all;
   const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
   for (std::size_t i = 0; i < typed_.size(); ++i) {
-    const bool same = catalogue::uniqueKey(typed_[i].number) == catalogue::uniqueKey(*number);
+    const bool same = store::uniqueKey(typed_[i].number) == store::uniqueKey(*number);
     if (same && place[i] >= 0 && place[i] != sherd)
       return tr("Sherd %1 of this plate has the number %2: take it from that one first, or type "
                 "another.")

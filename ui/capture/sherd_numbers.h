@@ -39,7 +39,7 @@ class SherdNumbers final : public QObject {
 
   QPointer<ProjectSession> session_;
   QString batch_;
-  catalogue::BatchRow row_;
+  store::BatchRow row_;
   std::vector<Eigen::Vector2d> places_mm_;
   std::vector<catalogue::TypedNumber> typed_;
   QStringList numbers_;

@@ -28,25 +28,25 @@ constexpr int kReasons = 3;          // of refusals, above that list
 constexpr std::size_t kShown = 200;  // the preview's list; all are counted
 
 bool isPlace(const std::string& field) {
-  const auto& all = catalogue::sherdFields();
-  return std::any_of(all.begin(), all.end(), [&](const catalogue::SherdField& known) {
-    return field == known.name && known.kind == catalogue::FieldKind::Place;
+  const auto& all = records::sherdFields();
+  return std::any_of(all.begin(), all.end(), [&](const records::SherdField& known) {
+    return field == known.name && known.kind == records::FieldKind::Place;
   });
 }
 
-QString shownValue(const catalogue::ChangePreview& change, const std::string& value,
+QString shownValue(const records::ChangePreview& change, const std::string& value,
                    const TermWords& words) {
-  for (const catalogue::SherdField& field : catalogue::sherdFields())
-    if (change.change.field == field.name && field.kind == catalogue::FieldKind::Number)
+  for (const records::SherdField& field : records::sherdFields())
+    if (change.change.field == field.name && field.kind == records::FieldKind::Number)
       return typedText(field, value);
   return words.shown(change.change.field, value);
 }
 
 // Whole, since the table has no room for them; mostly it is one for all sherds.
-QStringList reasonsOf(const std::vector<catalogue::ChangePreview>& shown) {
+QStringList reasonsOf(const std::vector<records::ChangePreview>& shown) {
   QStringList reasons;
   std::set<std::string> said;
-  for (const catalogue::ChangePreview& change : shown) {
+  for (const records::ChangePreview& change : shown) {
     if (change.refusal.empty() || !said.insert(change.refusal).second) continue;
     if (reasons.size() == kReasons) return reasons << QStringLiteral("…");
     reasons << wordsOf(change.refusal);
@@ -57,9 +57,9 @@ QStringList reasonsOf(const std::vector<catalogue::ChangePreview>& shown) {
 }  // namespace
 
 struct BulkEdit::Preview {
-  catalogue::Move move;  ///< where sherds get another context
-  std::vector<catalogue::ChangePreview> shown;
-  std::vector<catalogue::SherdRecord> records;  ///< of the first kShown
+  intake::Move move;  ///< where sherds get another context
+  std::vector<records::ChangePreview> shown;
+  std::vector<records::SherdRecord> records;  ///< of the first kShown
 };
 
 BulkEdit::BulkEdit(QWidget* parent) : QWidget(parent) {
@@ -73,7 +73,7 @@ void BulkEdit::buildLayout() {
   field_ = new QComboBox(this);
   field_->setObjectName("bulkField");
   field_->setAccessibleName(tr("Field to change"));
-  for (const catalogue::SherdField& field : catalogue::sherdFields())
+  for (const records::SherdField& field : records::sherdFields())
     if (field.editable && std::string_view(field.name) != "number")
       field_->addItem(fieldLabel(field.name), QString::fromLatin1(field.name));
   field_->setCurrentIndex(field_->findData("part"));
@@ -141,7 +141,7 @@ void BulkEdit::lookAgain() {
   preview();
 }
 
-void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds) {
+void BulkEdit::setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds) {
   session_ = session;
   sherds_ = std::move(sherds);
   heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
@@ -166,7 +166,7 @@ void BulkEdit::offerTerms() {
   const std::string field = field_->currentData().toString().toStdString();
   if (session_) words_.read(session_->project().catalogue());
   QStringList terms;
-  for (const catalogue::SherdField& known : catalogue::sherdFields())
+  for (const records::SherdField& known : records::sherdFields())
     if (session_ && field == known.name) terms = words_.of(known);
   auto* completer = new QCompleter(terms, value_);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
@@ -193,20 +193,20 @@ void BulkEdit::preview() {
     return summary_->setText(two_ways);
   const auto work = [folder = session_->folder(), sherds = sherds_, field,
                      value = value_->text().toStdString(),
-                     confirmation = replace_->isChecked() ? catalogue::Confirmation::Given
-                                                          : catalogue::Confirmation::None](
+                     confirmation = replace_->isChecked() ? records::Confirmation::Given
+                                                          : records::Confirmation::None](
                         Progress&, std::stop_token) -> Result<Preview> {
-    const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
-    std::vector<catalogue::FieldChange> changes;
-    for (const catalogue::SherdRow& sherd : sherds)
+    std::vector<records::FieldChange> changes;
+    for (const store::SherdRow& sherd : sherds)
       changes.push_back({sherd, field, value, confirmation});
-    Result<catalogue::Move> move = isPlace(field) ? catalogue::moveOf(*catalogue, changes)
-                                                  : catalogue::Move{changes, 0, {}, {}};
+    Result<intake::Move> move =
+        isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes, 0, {}, {}};
     if (!move) return move.error();
-    Result<std::vector<catalogue::ChangePreview>> shown = catalogue->preview(move->changes);
+    Result<std::vector<records::ChangePreview>> shown = catalogue->preview(move->changes);
     if (!shown) return shown.error();
-    Result<std::vector<catalogue::SherdRecord>> records =
+    Result<std::vector<records::SherdRecord>> records =
         catalogue->sherds(std::span(sherds).first(std::min<std::size_t>(sherds.size(), kShown)));
     if (!records) return records.error();
     return Preview{std::move(*move), std::move(*shown), std::move(*records)};
@@ -225,7 +225,7 @@ void BulkEdit::showPreview(const Preview& preview) {
   int changed = 0, same = 0, refused = 0, asked = 0;
   bool asks = false;
   std::size_t sherd = 0;
-  for (const catalogue::ChangePreview& change : preview.shown) {
+  for (const records::ChangePreview& change : preview.shown) {
     const bool is_same = change.refusal.empty() && change.old_value == change.new_value;
     asks = asks || !change.findings.empty();
     if (change.refusal.empty() && !is_same && !change.asks()) good_.push_back(change.change);

@@ -26,9 +26,9 @@ class BulkEdit final : public QWidget {
  public:
   explicit BulkEdit(QWidget* parent = nullptr);
   /// session: nullptr when no project is open. The preview comes from a worker.
-  void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
+  void setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds);
   void lookAgain();  ///< the same sherds, what is typed stays: rows of the catalogue changed
-  const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
+  const std::vector<store::SherdRow>& sherds() const { return sherds_; }
   /// What comes with the changes that the preview showed.
   QString note() const { return note_; }
   /// While many are being changed: how far it is; below 0: nothing is going on.
@@ -36,7 +36,7 @@ class BulkEdit final : public QWidget {
 
  signals:
   /// The changes that the preview showed without a refusal.
-  void wanted(const std::vector<catalogue::FieldChange>& changes);
+  void wanted(const std::vector<records::FieldChange>& changes);
   void numbersWanted();
   void stopWanted();
 
@@ -49,8 +49,8 @@ class BulkEdit final : public QWidget {
 
   ProjectSession* session_ = nullptr;
   QPointer<JobHandle> previewing_;
-  std::vector<catalogue::SherdRow> sherds_;
-  std::vector<catalogue::FieldChange> good_;
+  std::vector<store::SherdRow> sherds_;
+  std::vector<records::FieldChange> good_;
   QString note_;
   QLabel* heading_ = nullptr;
   QComboBox* field_ = nullptr;

@@ -22,7 +22,7 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
     details_->keepUnsaved(field, value);
     details_->showRefusal(field.toStdString(), why, other, picture);
   };
-  catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
+  records::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
   const QString two_ways = inTwoWays(change.field, value);
   if (!two_ways.isEmpty()) return refuse(two_ways, {}, {});
   if (change.field == "number") {
@@ -31,8 +31,7 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
     change.value = *whole;
   }
   const auto previews = catalogue.preview(std::span(&change, 1));
-  const auto shown =
-      previews ? previews->front() : catalogue::ChangePreview{change, {}, {}, {}, {}};
+  const auto shown = previews ? previews->front() : records::ChangePreview{change, {}, {}, {}, {}};
   if (!shown.refusal.empty()) {
     QString number, picture;
     if (const auto other = catalogue.sherd(shown.in_the_way); shown.in_the_way && other) {
@@ -59,10 +58,10 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
 }
 
 void CatalogueScreen::keepField(const QString& field, const QString& value,
-                                catalogue::Confirmation confirmation) {
+                                records::Confirmation confirmation) {
   if (!edits_) return;
-  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString(),
-                                      confirmation};
+  const records::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString(),
+                                    confirmation};
   details_->forgetUnsaved(field);
   const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
   complain(why);
@@ -70,19 +69,19 @@ void CatalogueScreen::keepField(const QString& field, const QString& value,
 }
 
 void CatalogueScreen::move(const QStringList& place) {
-  const catalogue::SherdRow sherd = details_->sherd();
-  std::vector<catalogue::FieldChange> wanted;
+  const store::SherdRow sherd = details_->sherd();
+  std::vector<records::FieldChange> wanted;
   const char* fields[] = {"site", "trench", "context"};
   for (int i = 0; i < 3 && i < place.size(); ++i)
     wanted.push_back({sherd, fields[i], place[i].toStdString()});
-  const auto move = catalogue::moveOf(session_->project().catalogue(), wanted);
+  const auto move = intake::moveOf(session_->project().catalogue(), wanted);
   if (!move) return complain(sentenceOf(move.error()));
   const QString why =
       edits_->change(tr("move to another context"), move->changes, leftBehindWords(*move));
   if (!why.isEmpty()) complain(why);
 }
 
-void CatalogueScreen::changeAll(const std::vector<catalogue::FieldChange>& changes) {
+void CatalogueScreen::changeAll(const std::vector<records::FieldChange>& changes) {
   if (changes.empty() || !edits_) return;
   const std::string& field = changes.front().field;  // others come along with it
   const auto sherds = std::count_if(changes.begin(), changes.end(),
@@ -95,7 +94,7 @@ void CatalogueScreen::changeAll(const std::vector<catalogue::FieldChange>& chang
 
 void CatalogueScreen::giveNumbers() {
   if (!edits_) return;
-  const std::vector<catalogue::SherdRow> sherds = selected();
+  const std::vector<store::SherdRow> sherds = selected();
   complain(sherds.empty() ? tr("Choose the sherds that are to get numbers.")
                           : edits_->assignNumbers(sherds));
 }

@@ -53,12 +53,12 @@ CatalogueScreen::CatalogueScreen(QWidget* parent) : Screen(parent) {
   connect(details_, &SherdDetails::edited, this, &CatalogueScreen::saveField);
   connect(details_, &SherdDetails::confirmed, this,
           [this](const QString& field, const QString& value) {
-            keepField(field, value, catalogue::Confirmation::Given);
+            keepField(field, value, records::Confirmation::Given);
           });
   connect(details_, &SherdDetails::numberWanted, this, &CatalogueScreen::giveNumbers);
   connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueScreen::giveNumbers);
   connect(import_, &ImportModel::entered, this,
-          [this](const QString& source, const exchange::ImportReport& report) {
+          [this](const QString& source, const tables::ImportReport& report) {
             const QString name = source.section('/', -1);
             edits_->took(tr("changes by the import of %1").arg(name), report.changes, report.undo);
             details_->setVocabularies(session_->project().catalogue());
@@ -223,7 +223,7 @@ QWidget* CatalogueScreen::buildRight() {
   right_->setCornerWidget(show_model_);
   connect(drawing_, &DrawingPage::said, this, &Screen::said);
   connect(drawing_, &DrawingPage::measuresWanted, this,
-          [this](const std::vector<catalogue::FieldChange>& changes) {
+          [this](const std::vector<records::FieldChange>& changes) {
             if (edits_) complain(edits_->change(tr("enter the rim's diameter"), changes));
           });
   return right_;
@@ -308,7 +308,7 @@ void CatalogueScreen::openProject(ProjectSession& session) {
 
 void CatalogueScreen::tellOfImports() {
   QStringList lines;
-  for (const auto& left : exchange::unfinishedImports(session_->project().catalogue()))
+  for (const auto& left : tables::unfinishedImports(session_->project().catalogue()))
     lines << tr("The import of %1 broke off after %2 of %3 rows; these are whole. Import it again "
                 "for the rest.")
                  .arg(QString::fromStdString(left.source))
@@ -321,7 +321,7 @@ void CatalogueScreen::tellOfImports() {
 }
 
 void CatalogueScreen::forgetImports() {
-  const auto done = exchange::forgetUnfinishedImports(session_->project().catalogue());
+  const auto done = tables::forgetUnfinishedImports(session_->project().catalogue());
   complain(done ? QString() : sentenceOf(done.error()));
 }
 
@@ -356,14 +356,14 @@ void CatalogueScreen::showNewRows() {
 // shown in between.
 void CatalogueScreen::reload() {
   stale_ = false;
-  const std::vector<catalogue::SherdRow> chosen = selected();
-  const catalogue::SherdRow current = model_->sherdAt(table_->currentIndex().row());
+  const std::vector<store::SherdRow> chosen = selected();
+  const store::SherdRow current = model_->sherdAt(table_->currentIndex().row());
   {
     const QScopedValueRollback<bool> reloading(reloading_, true);
     model_->reload();
     choose(chosen, current);
   }
-  const auto sorted = [](std::vector<catalogue::SherdRow> sherds) {
+  const auto sorted = [](std::vector<store::SherdRow> sherds) {
     std::sort(sherds.begin(), sherds.end());
     return sherds;
   };
@@ -373,10 +373,9 @@ void CatalogueScreen::reload() {
 }
 
 // Those of them that are in the table.
-void CatalogueScreen::choose(const std::vector<catalogue::SherdRow>& sherds,
-                             catalogue::SherdRow current) {
+void CatalogueScreen::choose(const std::vector<store::SherdRow>& sherds, store::SherdRow current) {
   std::vector<int> rows;
-  for (const catalogue::SherdRow sherd : sherds)
+  for (const store::SherdRow sherd : sherds)
     if (const int row = model_->rowOf(sherd); row >= 0) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
   QItemSelection all;
@@ -412,8 +411,8 @@ void CatalogueScreen::showCount() {
   export_->setEnabled(rows > 0);  // the one thing to do is another then
 }
 
-std::vector<catalogue::SherdRow> CatalogueScreen::selected() const {
-  std::vector<catalogue::SherdRow> sherds;
+std::vector<store::SherdRow> CatalogueScreen::selected() const {
+  std::vector<store::SherdRow> sherds;
   for (const QItemSelectionRange& range : table_->selectionModel()->selection())
     for (int row = range.top(); row <= range.bottom(); ++row)
       sherds.push_back(model_->sherdAt(row));
@@ -423,13 +422,13 @@ std::vector<catalogue::SherdRow> CatalogueScreen::selected() const {
 // One alone is the one that is looked at, and perhaps meant.
 QString CatalogueScreen::chosen() const {
   QStringList rows;
-  for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
+  for (const store::SherdRow row : selected()) rows << QString::number(row.value);
   return rows.isEmpty() ? QString() : (rows.size() > 1 ? "rows:" : "row:") + rows.join(',');
 }
 
 void CatalogueScreen::showSelection() {
   if (reloading_) return;
-  const std::vector<catalogue::SherdRow> sherds = selected();
+  const std::vector<store::SherdRow> sherds = selected();
   if (!session_ || sherds.empty()) {
     edit_->setCurrentWidget(one_);
     details_->clear();
@@ -445,7 +444,7 @@ void CatalogueScreen::showSelection() {
   drawing_->setSherds(session_, sherds);
 }
 
-void CatalogueScreen::showModelOf(catalogue::SherdRow row) {
+void CatalogueScreen::showModelOf(store::SherdRow row) {
   const auto sherd = session_->project().catalogue().sherd(row);
   const auto whole = [&](const std::string& path) {
     return path.empty() ? QString() : QString::fromStdString((session_->folder() / path).string());
@@ -467,7 +466,7 @@ void CatalogueScreen::openImport() {
   import_dialog_->activateWindow();
 }
 
-void CatalogueScreen::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {
+void CatalogueScreen::sherdsChanged(const std::vector<store::SherdRow>& sherds) {
   complain({});
   model_->refresh(sherds);
   showSelection();

@@ -14,11 +14,11 @@ class ColumnTable final : public QTableWidget {
   explicit ColumnTable(ImportModel& model, QWidget* parent = nullptr);
   void fill();
   /// Columns that become fields of the user's own, are left out, or whose unit is guessed.
-  static int toCheck(const exchange::TableMapping& mapping);
+  static int toCheck(const tables::TableMapping& mapping);
 
  private:
-  QWidget* fieldBox(int row, const exchange::ColumnChoice& choice, bool of_contexts);
-  QWidget* unitBox(int row, const exchange::ColumnChoice& choice);
+  QWidget* fieldBox(int row, const tables::ColumnChoice& choice, bool of_contexts);
+  QWidget* unitBox(int row, const tables::ColumnChoice& choice);
 
   ImportModel& model_;
 };

@@ -180,7 +180,7 @@ const std::vector<Page>& DrawingPage::pages() const {
   return drawn_ ? drawn_->pages : none;
 }
 
-void DrawingPage::setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds) {
+void DrawingPage::setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds) {
   session_ = session;
   if (sherds != sherds_) rim_->setCurrentIndex(FromCatalogue);  // said of one, not of the next
   sherds_ = std::move(sherds);
@@ -218,9 +218,9 @@ void DrawingPage::draw() {
   const auto work = [folder = session_->folder(), sherds = sherds_, how = options(), sheets](
                         Progress& progress,
                         std::stop_token stop) -> Result<std::shared_ptr<const Drawn>> {
-    const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
-    const Result<catalogue::ProjectRecord> project = catalogue->project();
+    const Result<records::ProjectRecord> project = catalogue->project();
     if (!project) return project.error();
     Result<exchange::DrawnSherds> drawn =
         exchange::drawSherds(*catalogue, folder, sherds, how, progress, stop);
@@ -328,10 +328,9 @@ void DrawingPage::refresh() {
 // What is shown may become another drawing while somebody chooses where this one goes.
 void DrawingPage::save() {
   const std::shared_ptr<const Drawn> drawn = drawn_;
-  const QString name =
-      sherds_.size() > 1
-          ? tr("plates")
-          : QString::fromStdString(catalogue::slug(drawn->sherds.drawings.front().id));
+  const QString name = sherds_.size() > 1
+                           ? tr("plates")
+                           : QString::fromStdString(store::slug(drawn->sherds.drawings.front().id));
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));
@@ -396,7 +395,7 @@ void DrawingPage::enterRim() {
   if (!mouth()) return;
   // With the larger half of the 95 % interval; a share by hand has perhaps none.
   const auto rounded = [](const drawing::Estimate& found) {
-    const auto tenths = [](double x) { return catalogue::numberText(std::round(x * 10) / 10); };
+    const auto tenths = [](double x) { return store::numberText(std::round(x * 10) / 10); };
     if (!found.interval) return tenths(found.value);
     const auto& [low, high] = *found.interval;
     return tenths(found.value) + " ± " + tenths(std::max(high - found.value, found.value - low));

@@ -31,7 +31,7 @@ class DrawingPage final : public QWidget {
   explicit DrawingPage(QWidget* parent = nullptr);
 
   /// session: nullptr when no project is open.
-  void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
+  void setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds);
   bool isDrawing() const { return drawing_ != nullptr; }
   /// What is drawn now; empty before and while something is drawn.
   const std::vector<Page>& pages() const;
@@ -45,7 +45,7 @@ class DrawingPage final : public QWidget {
  signals:
   void said(const QString& sentence);
   /// The mouth's diameter and what is kept of the rim, to be entered.
-  void measuresWanted(const std::vector<catalogue::FieldChange>& changes);
+  void measuresWanted(const std::vector<records::FieldChange>& changes);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -75,7 +75,7 @@ class DrawingPage final : public QWidget {
   void enterRim();
 
   ProjectSession* session_ = nullptr;
-  std::vector<catalogue::SherdRow> sherds_;
+  std::vector<store::SherdRow> sherds_;
   std::shared_ptr<const Drawn> drawn_;
   QPointer<JobHandle> drawing_, painting_, writing_;
   QString problem_;

@@ -81,7 +81,7 @@ QString fieldLabel(const std::string& field) {
 }
 
 QString measureLabel(const std::string& kind) {
-  const std::string field = kind + "_" + catalogue::unitOf(kind);
+  const std::string field = kind + "_" + records::unitOf(kind);
   const QString label = fieldLabel(field);
   return label == QString::fromStdString(field) ? fieldLabel(kind) : label;
 }
@@ -90,19 +90,19 @@ QString measureText(double value) {
   return QLocale().toString(value, 'f', value >= 1000 ? 0 : 2);
 }
 
-QString sherdName(const catalogue::SherdRecord& sherd) {
+QString sherdName(const records::SherdRecord& sherd) {
   if (!sherd.number.empty()) return QString::fromStdString(sherd.number);
   if (sherd.piece == 0 || sherd.batch_number.empty()) return tr("no number yet");
   return tr("sherd %1 of %2").arg(sherd.piece).arg(QString::fromStdString(sherd.batch_number));
 }
 
-QString stateLabel(catalogue::SherdState state) {
+QString stateLabel(records::SherdState state) {
   switch (state) {
-    case catalogue::SherdState::Numbered:
+    case records::SherdState::Numbered:
       return tr("numbered");
-    case catalogue::SherdState::Void:
+    case records::SherdState::Void:
       return tr("void");
-    case catalogue::SherdState::Draft:
+    case records::SherdState::Draft:
       break;
   }
   return tr("no number yet");
@@ -115,43 +115,43 @@ QString methodLabel(const std::string& method) {
   return tr("by the program");
 }
 
-bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field) {
+bool isDoubtful(const records::SherdRecord& sherd, const std::string& field) {
   for (const std::string& kind : sherd.doubtful)
-    if (field == kind + "_" + catalogue::unitOf(kind)) return true;
+    if (field == kind + "_" + records::unitOf(kind)) return true;
   return false;
 }
 
-const double* computedBeside(const catalogue::SherdRecord& sherd, const std::string& field) {
+const double* computedBeside(const records::SherdRecord& sherd, const std::string& field) {
   for (const auto& [kind, value] : sherd.replaced)
-    if (field == kind + "_" + catalogue::unitOf(kind) || field == kind) return &value;
+    if (field == kind + "_" + records::unitOf(kind) || field == kind) return &value;
   return nullptr;
 }
 
-QString questionWords(const std::vector<catalogue::MeasureFinding>& findings) {
+QString questionWords(const std::vector<records::MeasureFinding>& findings) {
   QStringList sentences;
-  for (const catalogue::MeasureFinding& finding : findings)
-    sentences << wordsOf(catalogue::sentenceOf(finding));
+  for (const records::MeasureFinding& finding : findings)
+    sentences << wordsOf(records::sentenceOf(finding));
   return sentences.join(QLatin1Char(' '));
 }
 
-QString confirmWords(const std::vector<catalogue::MeasureFinding>& findings) {
-  const auto asks = [&](catalogue::MeasureDoubt doubt) {
+QString confirmWords(const std::vector<records::MeasureFinding>& findings) {
+  const auto asks = [&](records::MeasureDoubt doubt) {
     return std::any_of(findings.begin(), findings.end(),
                        [&](const auto& finding) { return finding.doubt == doubt; });
   };
-  if (asks(catalogue::MeasureDoubt::ReplacesComputed)) return tr("Replace with measured value");
-  if (asks(catalogue::MeasureDoubt::DeletesComputed)) return tr("Delete computed value");
+  if (asks(records::MeasureDoubt::ReplacesComputed)) return tr("Replace with measured value");
+  if (asks(records::MeasureDoubt::DeletesComputed)) return tr("Delete computed value");
   return tr("Save this value");
 }
 
 QString withFieldNames(const QString& filter) {
   QHash<QString, QString> names;
-  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+  for (const records::SherdField& field : records::sherdFields()) {
     const QString name = QString::fromLatin1(field.name);
     const QString english = withoutUnit(QString::fromLatin1(labelOf(name)));
     const QString label = withoutUnit(fieldLabel(field.name));
     if (label.isEmpty() || label == english || label.contains(QLatin1Char(' '))) continue;
-    const bool measure = field.kind == catalogue::FieldKind::Number;  // known without its unit, too
+    const bool measure = field.kind == records::FieldKind::Number;  // known without its unit, too
     names.insert(label, measure && name.startsWith(english) ? english : name);
   }
   static const QRegularExpression kNames(
@@ -168,17 +168,17 @@ QString withFieldNames(const QString& filter) {
   return read + filter.mid(done);
 }
 
-QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
+QString fieldText(const records::SherdRecord& sherd, const std::string& field,
                   const TermWords& words) {
   if (field == "state") return stateLabel(sherd.state);
   if (field == "scale") return sherd.scale_doubtful ? tr("in doubt") : QString();
-  const std::string text = catalogue::textOf(sherd, field);
+  const std::string text = records::textOf(sherd, field);
   if (text.empty()) return {};
-  for (const catalogue::SherdField& known : catalogue::sherdFields()) {
+  for (const records::SherdField& known : records::sherdFields()) {
     if (field != known.name) continue;
-    if (known.kind == catalogue::FieldKind::Number) {
+    if (known.kind == records::FieldKind::Number) {
       // Not std::stod: it obeys the language that Qt set.
-      const auto value = catalogue::parsedNumber(text);
+      const auto value = store::parsedNumber(text);
       if (!value) return {};
       const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
       if (const double* computed = computedBeside(sherd, field))
@@ -191,9 +191,9 @@ QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
   return QString::fromStdString(text);
 }
 
-QString typedText(const catalogue::SherdField& field, const std::string& text) {
-  const auto value = catalogue::parsedNumber(text);
-  if (field.kind != catalogue::FieldKind::Number || !value) return QString::fromStdString(text);
+QString typedText(const records::SherdField& field, const std::string& text) {
+  const auto value = store::parsedNumber(text);
+  if (field.kind != records::FieldKind::Number || !value) return QString::fromStdString(text);
   // A hundredth of a millimetre is more than is known.
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -203,14 +203,14 @@ QString typedText(const catalogue::SherdField& field, const std::string& text) {
 QString inTwoWays(const std::string& field, const QString& typed) {
   const std::string mark = QLocale().groupSeparator().toStdString();
   if (mark != "," && mark != ".") return {};
-  for (const catalogue::SherdField& known : catalogue::sherdFields())
-    if (field == known.name && known.kind == catalogue::FieldKind::Number)
-      if (const auto clear = exchange::readsOneWay(typed.toStdString(), mark.front()); !clear)
+  for (const records::SherdField& known : records::sherdFields())
+    if (field == known.name && known.kind == records::FieldKind::Number)
+      if (const auto clear = tables::readsOneWay(typed.toStdString(), mark.front()); !clear)
         return wordsOf(clear.error().what);
   return {};
 }
 
-QString leftBehindWords(const catalogue::Move& move) {
+QString leftBehindWords(const intake::Move& move) {
   QStringList said, bags, numbers;
   for (const std::string& bag : move.bags) bags << QString::fromStdString(bag);
   for (const std::string& number : move.numbers) numbers << QString::fromStdString(number);

@@ -16,32 +16,32 @@ QString fieldLabel(const std::string& field);
 /// names stay as they are.
 QString withFieldNames(const QString& filter);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.
-QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
+QString fieldText(const records::SherdRecord& sherd, const std::string& field,
                   const TermWords& words);
 /// A value as it stands in the line where it is typed: a number has the language's decimal mark, no
 /// blanks, and not a computed length's fifteen digits.
-QString typedText(const catalogue::SherdField& field, const std::string& text);
+QString typedText(const records::SherdField& field, const std::string& text);
 /// Why a typed value is refused: 1,250 is 1.25 to one, 1250 to whose language it has thousands so.
 /// Empty: it reads in one way, or the field holds no number.
 QString inTwoWays(const std::string& field, const QString& typed);
 /// What sherds leave behind that are moved to another context, in sentences; empty: nothing.
-QString leftBehindWords(const catalogue::Move& move);
+QString leftBehindWords(const intake::Move& move);
 /// A condition of the filter with its field's name as people call it.
 QString conditionText(const catalogue::Condition& condition);
 /// What people call a measure, with its unit, and its value in the language's form.
 QString measureLabel(const std::string& kind);
 QString measureText(double value);
 /// A measure of the program whose batch has a doubtful scale; its text ends with a question mark.
-bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field);
+bool isDoubtful(const records::SherdRecord& sherd, const std::string& field);
 /// A measurement by hand that stands in place of another, computed one; null: it does not.
-const double* computedBeside(const catalogue::SherdRecord& sherd, const std::string& field);
+const double* computedBeside(const records::SherdRecord& sherd, const std::string& field);
 /// What speaks against a measurement, in sentences, and the act that saves it all the same.
-QString questionWords(const std::vector<catalogue::MeasureFinding>& findings);
-QString confirmWords(const std::vector<catalogue::MeasureFinding>& findings);
+QString questionWords(const std::vector<records::MeasureFinding>& findings);
+QString confirmWords(const std::vector<records::MeasureFinding>& findings);
 /// Its number, or what stands on its batch's map and in the review before it has one: "sherd 3 of
 /// B0004".
-QString sherdName(const catalogue::SherdRecord& sherd);
-QString stateLabel(catalogue::SherdState state);
+QString sherdName(const records::SherdRecord& sherd);
+QString stateLabel(records::SherdState state);
 /// How a value was measured: "by the program", "on a scale".
 QString methodLabel(const std::string& method);
 QString when(std::int64_t ms);  ///< day and time in the language's form

@@ -19,33 +19,33 @@
 namespace ostraka::ui {
 namespace {
 
-QString wordOf(exchange::RowFate fate) {
+QString wordOf(tables::RowFate fate) {
   switch (fate) {
-    case exchange::RowFate::Fresh:
+    case tables::RowFate::Fresh:
       return ImportDialog::tr("new");
-    case exchange::RowFate::Changed:
+    case tables::RowFate::Changed:
       return ImportDialog::tr("updated");
-    case exchange::RowFate::Refused:
+    case tables::RowFate::Refused:
       return ImportDialog::tr("rejected");
-    case exchange::RowFate::Asked:
+    case tables::RowFate::Asked:
       return ImportDialog::tr("to confirm");
-    case exchange::RowFate::Same:
+    case tables::RowFate::Same:
       break;
   }
   return ImportDialog::tr("unchanged");
 }
 
-QIcon iconOf(exchange::RowFate fate) {
+QIcon iconOf(tables::RowFate fate) {
   switch (fate) {
-    case exchange::RowFate::Fresh:
+    case tables::RowFate::Fresh:
       return icon("plus");
-    case exchange::RowFate::Changed:
+    case tables::RowFate::Changed:
       return icon("edit");
-    case exchange::RowFate::Refused:
+    case tables::RowFate::Refused:
       return icon("error");
-    case exchange::RowFate::Asked:
+    case tables::RowFate::Asked:
       return icon("question");
-    case exchange::RowFate::Same:
+    case tables::RowFate::Same:
       break;
   }
   return icon("check");
@@ -182,7 +182,7 @@ void ImportDialog::fill() {
     line->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(r, 0, line);
     auto* fate = new QTableWidgetItem(iconOf(row.fate), wordOf(row.fate));
-    const bool asks = row.fate == exchange::RowFate::Asked;
+    const bool asks = row.fate == tables::RowFate::Asked;
     fate->setFlags(fate->flags().setFlag(Qt::ItemIsUserCheckable, asks));
     if (asks) fate->setCheckState(Qt::Unchecked);
     table_->setItem(r, 1, fate);
@@ -204,8 +204,8 @@ void ImportDialog::fill() {
 
 // The columns come first where one of them has to be checked.
 void ImportDialog::showColumns() {
-  const exchange::TableMapping mapping =
-      model_.report() ? model_.report()->mapping : exchange::TableMapping();
+  const tables::TableMapping mapping =
+      model_.report() ? model_.report()->mapping : tables::TableMapping();
   const int to_check = ColumnTable::toCheck(mapping);
   tabs_->setTabVisible(1, !mapping.columns.empty());
   tabs_->setTabText(1,
@@ -254,8 +254,8 @@ void ImportDialog::refresh() {
       const bool taken = model_.isConfirmed(table_->item(r, 0)->text().toInt());
       fate->setCheckState(taken ? Qt::Checked : Qt::Unchecked);
       if (state != State::Done) continue;
-      fate->setText(wordOf(taken ? exchange::RowFate::Changed : exchange::RowFate::Refused));
-      fate->setIcon(iconOf(taken ? exchange::RowFate::Changed : exchange::RowFate::Refused));
+      fate->setText(wordOf(taken ? tables::RowFate::Changed : tables::RowFate::Refused));
+      fate->setIcon(iconOf(taken ? tables::RowFate::Changed : tables::RowFate::Refused));
     }
   }
   bar_->setVisible(works);

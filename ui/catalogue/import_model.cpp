@@ -27,19 +27,19 @@ using Bytes = std::shared_ptr<const std::string>;
 struct Task {
   fs::path source;
   Bytes bytes;  // of a table; none for an export folder
-  exchange::ImportOptions options;
-  catalogue::Provenance provenance;
+  tables::ImportOptions options;
+  records::Provenance provenance;
 };
 
-Result<exchange::ImportReport> run(catalogue::Project& project, const Task& task,
-                                   Progress& progress, std::stop_token stop) {
+Result<tables::ImportReport> run(upkeep::Project& project, const Task& task, Progress& progress,
+                                 std::stop_token stop) {
   if (!task.bytes)
     return exchange::readBack(project, task.source, task.options.mode, task.provenance, progress,
                               stop);
-  if (task.options.mode == exchange::ImportMode::Enter)
+  if (task.options.mode == tables::ImportMode::Enter)
     if (const auto saved = project.backUp(); !saved) return saved.error();
-  return exchange::importTable(project.catalogue(), *task.bytes, task.source.string(), task.options,
-                               task.provenance, progress, stop);
+  return tables::importTable(project.catalogue(), *task.bytes, task.source.string(), task.options,
+                             task.provenance, progress, stop);
 }
 
 Result<Bytes> tableBytes(const fs::path& source) {
@@ -50,20 +50,20 @@ Result<Bytes> tableBytes(const fs::path& source) {
 }
 
 // On a copy: a preview does everything and takes it back, and nobody should wait meanwhile.
-Result<exchange::ImportReport> runOnCopy(const fs::path& folder, const Task& task,
-                                         Progress& progress, std::stop_token stop) {
+Result<tables::ImportReport> runOnCopy(const fs::path& folder, const Task& task, Progress& progress,
+                                       std::stop_token stop) {
   const QTemporaryDir copy;
   if (!copy.isValid())
     return Error{ErrorCode::CannotWrite, "There is no room for a copy of the catalogue.",
                  copy.path().toStdString()};
   const fs::path there = copy.path().toStdString();
   {
-    const Result<catalogue::Catalogue> original = catalogue::Project::connect(folder);
+    const Result<catalogue::Catalogue> original = upkeep::Project::connect(folder);
     if (!original) return original.error();
     if (const auto copied = original->backup(there / "catalogue.sqlite"); !copied)
       return copied.error();
   }
-  Result<catalogue::Project> project = catalogue::Project::open(there);
+  Result<upkeep::Project> project = upkeep::Project::open(there);
   if (!project) return project.error();
   return run(*project, task, progress, stop);
 }
@@ -76,7 +76,7 @@ QString text(const std::string& value) {
 
 struct ImportModel::Look {
   Bytes bytes;
-  exchange::ImportReport report;
+  tables::ImportReport report;
   QStringList columns;
   std::vector<Row> rows;
 };
@@ -115,16 +115,16 @@ void ImportModel::setMakesPlaces(bool make) {
 void ImportModel::setColumn(int column, const QString& field, const QString& unit) {
   if (state_ != State::Ready || !report_) return;
   chosen_ = report_->mapping.columns;  // what is seen is what holds
-  exchange::ColumnChoice& choice = chosen_[static_cast<std::size_t>(column)];
+  tables::ColumnChoice& choice = chosen_[static_cast<std::size_t>(column)];
   choice.field = field.toStdString();
   choice.unit = unit.toStdString();
-  for (exchange::ColumnChoice& other : chosen_)  // the field is this column's now
+  for (tables::ColumnChoice& other : chosen_)  // the field is this column's now
     if (&other != &choice && !choice.field.empty() && other.field == choice.field) {
       other.field = "extra." + other.column;
       other.unit.clear();
     }
   // A unit that was guessed for others is guessed again.
-  for (exchange::ColumnChoice& other : chosen_)
+  for (tables::ColumnChoice& other : chosen_)
     if (&other != &choice && other.unit_guessed) other.unit.clear();
   look();
 }
@@ -140,7 +140,7 @@ void ImportModel::setConfirmed(int line, bool confirmed) {
 
 void ImportModel::confirmAll() {
   if (state_ != State::Ready || !report_) return;
-  for (const exchange::Refusal& question : report_->questions) confirmed_.insert(question.line);
+  for (const tables::Refusal& question : report_->questions) confirmed_.insert(question.line);
   emit changed();
 }
 
@@ -148,10 +148,10 @@ int ImportModel::entering() const {
   return report_ ? report_->fresh + report_->changed + static_cast<int>(confirmed_.size()) : 0;
 }
 
-exchange::ImportOptions ImportModel::options() const {
-  exchange::ImportOptions options;
+tables::ImportOptions ImportModel::options() const {
+  tables::ImportOptions options;
   options.unknown_places =
-      make_places_ ? exchange::UnknownPlaces::Make : exchange::UnknownPlaces::Refuse;
+      make_places_ ? tables::UnknownPlaces::Make : tables::UnknownPlaces::Refuse;
   options.columns = chosen_;
   return options;
 }
@@ -159,12 +159,12 @@ exchange::ImportOptions ImportModel::options() const {
 namespace {
 
 // The rows of a table with their fates; of an export folder only what is refused is listed.
-std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
-                                     const exchange::CsvTable* table) {
+std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
+                                     const tables::CsvTable* table) {
   std::map<int, QString> refusals;
-  std::vector<exchange::Refusal> all = report.refusals;
+  std::vector<tables::Refusal> all = report.refusals;
   all.insert(all.end(), report.questions.begin(), report.questions.end());
-  for (const exchange::Refusal& refusal : all) {
+  for (const tables::Refusal& refusal : all) {
     QString why = wordsOf(refusal.reason);
     if (!refusal.column.empty())
       why = ImportModel::tr("%1 '%2': %3").arg(text(refusal.column), text(refusal.value), why);
@@ -173,12 +173,12 @@ std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
   std::vector<ImportModel::Row> rows;
   if (table == nullptr) {
     for (const auto& [line, why] : refusals)
-      rows.push_back({line, exchange::RowFate::Refused, {}, why});
+      rows.push_back({line, tables::RowFate::Refused, {}, why});
     return rows;
   }
-  std::map<int, const exchange::CsvRow*> by_line;
-  for (const exchange::CsvRow& row : table->rows) by_line[row.line] = &row;
-  using exchange::RowFate;
+  std::map<int, const tables::CsvRow*> by_line;
+  for (const tables::CsvRow& row : table->rows) by_line[row.line] = &row;
+  using tables::RowFate;
   const auto take = [&](const std::set<RowFate>& fates) {
     for (const auto& [line, fate] : report.rows) {
       if (rows.size() == kMostRows) return;
@@ -186,7 +186,7 @@ std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
       ImportModel::Row row{line, fate, {}, refusals[line]};
       if (const auto read = by_line.find(line); read != by_line.end())
         for (const std::string& value : read->second->values)
-          row.values << text(exchange::unguarded(value));
+          row.values << text(tables::unguarded(value));
       rows.push_back(std::move(row));
     }
   };
@@ -218,11 +218,11 @@ void ImportModel::look() {
     look->bytes = *bytes;
     Task read = task;
     read.bytes = look->bytes;
-    Result<exchange::ImportReport> report = runOnCopy(folder, read, progress, stop);
+    Result<tables::ImportReport> report = runOnCopy(folder, read, progress, stop);
     if (!report) return report.error();
     if (look->bytes) {
-      const Result<exchange::CsvTable> table =
-          exchange::parseCsv(*look->bytes, task.source.filename().string());
+      const Result<tables::CsvTable> table =
+          tables::parseCsv(*look->bytes, task.source.filename().string());
       if (!table) return table.error();
       for (const std::string& column : table->columns) look->columns << text(column);
       look->rows = rowsOf(*report, &*table);
@@ -298,14 +298,13 @@ void ImportModel::enter() {
   state_ = State::Entering;
   fraction_ = 0;
   Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
-  task.options.mode = exchange::ImportMode::Enter;
+  task.options.mode = tables::ImportMode::Enter;
   task.options.columns = report_->mapping.columns;
   task.options.confirmed_lines = confirmed_;
   task.provenance.source = "import";
   const auto work = [folder = session_->folder(), task](
-                        Progress& progress,
-                        std::stop_token stop) -> Result<exchange::ImportReport> {
-    Result<catalogue::Project> project = catalogue::Project::open(folder);
+                        Progress& progress, std::stop_token stop) -> Result<tables::ImportReport> {
+    Result<upkeep::Project> project = upkeep::Project::open(folder);
     if (!project) return project.error();
     return run(*project, task, progress, stop);
   };
@@ -315,7 +314,7 @@ void ImportModel::enter() {
     emit changed();
   });
   connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const auto report = outcomeAs<exchange::ImportReport>(outcome);
+    const auto report = outcomeAs<tables::ImportReport>(outcome);
     job_->deleteLater();
     job_.clear();
     if (!report) {
@@ -345,7 +344,7 @@ void ImportModel::cancel() {
 QString ImportModel::saveRefusals(const QString& file) const {
   if (!report_) return {};
   const Result<void> written =
-      writeFileAtomically(file.toStdString(), exchange::refusalsCsv(*report_));
+      writeFileAtomically(file.toStdString(), tables::refusalsCsv(*report_));
   return written ? QString() : sentenceOf(written.error());
 }
 

@@ -25,7 +25,7 @@ class ImportModel final : public QObject {
   enum class State { Choosing, Looking, Ready, Entering, Done };
   struct Row {
     int line = 0;
-    exchange::RowFate fate = exchange::RowFate::Same;
+    tables::RowFate fate = tables::RowFate::Same;
     QStringList values;
     QString refusal;
   };
@@ -52,7 +52,7 @@ class ImportModel final : public QObject {
   const std::vector<Row>& rows() const {
     return rows_;
   }  ///< the first thousand; refused ones first, then those that ask
-  const std::optional<exchange::ImportReport>& report() const { return report_; }
+  const std::optional<tables::ImportReport>& report() const { return report_; }
   QString summary() const;  ///< "3 new, 2 changed, 10 as they are, 1 refused."
   QString problem() const { return problem_; }
   QStringList warnings() const;
@@ -66,11 +66,11 @@ class ImportModel final : public QObject {
 
  signals:
   void changed();
-  void entered(const QString& source, const ostraka::exchange::ImportReport& report);
+  void entered(const QString& source, const ostraka::tables::ImportReport& report);
 
  private:
   struct Look;
-  exchange::ImportOptions options() const;
+  tables::ImportOptions options() const;
   void look();
   void took(const Look& look);
 
@@ -79,11 +79,11 @@ class ImportModel final : public QObject {
   QString source_, problem_;
   std::shared_ptr<const std::string> bytes_;  // of the table that was looked at: these are entered
   bool make_places_ = false;
-  std::vector<exchange::ColumnChoice> chosen_;
+  std::vector<tables::ColumnChoice> chosen_;
   std::set<int> confirmed_;
   QStringList columns_;
   std::vector<Row> rows_;
-  std::optional<exchange::ImportReport> report_;
+  std::optional<tables::ImportReport> report_;
   double fraction_ = 0;
   QPointer<JobHandle> job_;
 };

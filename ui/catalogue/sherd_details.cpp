@@ -50,13 +50,13 @@ void setPicture(QLabel* label, const QString& path, int size) {
                        : pixmap.scaled(size, size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
 
-QString fileState(catalogue::FileState state) {
+QString fileState(records::FileState state) {
   switch (state) {
-    case catalogue::FileState::Missing:
+    case records::FileState::Missing:
       return SherdDetails::tr("missing");
-    case catalogue::FileState::Changed:
+    case records::FileState::Changed:
       return SherdDetails::tr("changed");
-    case catalogue::FileState::Present:
+    case records::FileState::Present:
       break;
   }
   return SherdDetails::tr("present");
@@ -91,7 +91,7 @@ void SherdDetails::buildLayout() {
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  const auto addField = [&](const catalogue::SherdField& field) {
+  const auto addField = [&](const records::SherdField& field) {
     auto* label = new QLabel(fieldLabel(field.name), page);
     QWidget* editor = editorFor(field);
     label->setBuddy(editor);
@@ -99,11 +99,11 @@ void SherdDetails::buildLayout() {
   };
   // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
   const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
-  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+  for (const records::SherdField& field : records::sherdFields()) {
     if (field.name == std::string("site")) addPlace();
     if (field.editable && !elsewhere.contains(field.name)) addField(field);
   }
-  for (const catalogue::SherdField& field : catalogue::sherdFields())
+  for (const records::SherdField& field : records::sherdFields())
     if (field.name == std::string("void_reason")) addField(field);
   measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
   history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
@@ -166,7 +166,7 @@ void SherdDetails::addPlace() {
   form_->addRow(label, place_);
 }
 
-QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
+QWidget* SherdDetails::editorFor(const records::SherdField& field) {
   const QString name = QString::fromLatin1(field.name);
   QWidget* editor = nullptr;
   const auto told = [this, name](const QString& value) {
@@ -175,7 +175,7 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
     if (value != shown_.value(name) || unsaved_.value(sherd_.value).contains(name))
       emit edited(name, value);
   };
-  if (field.kind == catalogue::FieldKind::Term) {
+  if (field.kind == records::FieldKind::Term) {
     auto* box = new QComboBox(this);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(box, &QComboBox::activated, this, [box, told](int) { told(box->currentText()); });
@@ -186,7 +186,7 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
       line->setToolTip(
           tr("7 is the running number in the sherd's context; =7 is the number 7 "
              "itself."));
-    if (field.kind == catalogue::FieldKind::Terms) {
+    if (field.kind == records::FieldKind::Terms) {
       auto* completer = new QCompleter(new QStringListModel(line), line);
       completer->setCaseSensitivity(Qt::CaseInsensitive);
       line->setCompleter(completer);
@@ -206,7 +206,7 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
 
 void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
   words_.read(catalogue);
-  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+  for (const records::SherdField& field : records::sherdFields()) {
     if (std::string_view(field.vocabulary).empty()) continue;
     const QStringList terms = words_.of(field);
     QWidget* editor = editors_.value(field.name);
@@ -323,8 +323,8 @@ void SherdDetails::showUnsaved() {
 }
 
 void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
-                             const std::filesystem::path& project, catalogue::SherdRow row) {
-  const Result<catalogue::SherdRecord> sherd = catalogue.sherd(row);
+                             const std::filesystem::path& project, store::SherdRow row) {
+  const Result<records::SherdRecord> sherd = catalogue.sherd(row);
   if (!sherd) {
     clear();
     return;
@@ -346,13 +346,13 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     else
       why_no_number_->setText(wordsOf(proposed.error().what));
   }
-  for (const catalogue::SherdField& field : catalogue::sherdFields())
+  for (const records::SherdField& field : records::sherdFields())
     if (field.editable)
       setText(field.name,
-              words_.shown(field, typedText(field, catalogue::textOf(*sherd, field.name))));
+              words_.shown(field, typedText(field, records::textOf(*sherd, field.name))));
   place_->clear();
   if (const auto contexts = catalogue.contexts())
-    for (const catalogue::ContextRecord& context : *contexts) {
+    for (const records::ContextRecord& context : *contexts) {
       const QStringList codes = {QString::fromStdString(context.site_code),
                                  QString::fromStdString(context.trench_code),
                                  QString::fromStdString(context.number)};
@@ -368,7 +368,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
 }
 
 void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
-                                const catalogue::SherdRecord& sherd) {
+                                const records::SherdRecord& sherd) {
   measures_->clear();
   const auto add = [this](const QString& kind, const QString& value, const QString& from) {
     auto* item = new QTreeWidgetItem(measures_, {kind, value, from});
@@ -377,7 +377,7 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
     return item;
   };
   if (const auto all = catalogue.measurements(sherd_))
-    for (const catalogue::Measurement& m : *all) {
+    for (const records::Measurement& m : *all) {
       const auto computed = sherd.replaced.find(m.kind);
       auto* item =
           add(measureLabel(m.kind),
@@ -396,13 +396,13 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
   history_->clear();
   QHash<qint64, QString> people;
   if (const auto persons = catalogue.persons())
-    for (const catalogue::PersonRecord& person : *persons)
+    for (const records::PersonRecord& person : *persons)
       people.insert(person.row.value, QString::fromStdString(person.initials));
   if (const auto all = catalogue.history(sherd_))
-    for (const catalogue::HistoryEntry& entry : *all) {
-      const bool measure = !catalogue::unitOf(entry.field).empty();
+    for (const records::HistoryEntry& entry : *all) {
+      const bool measure = !records::unitOf(entry.field).empty();
       const auto shown = [&](const std::string& value) {
-        const Result<double> number = catalogue::parsedNumber(value);
+        const Result<double> number = store::parsedNumber(value);
         return measure && number ? measureText(*number) : words_.shown(entry.field, value);
       };
       const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
@@ -424,13 +424,13 @@ void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
                              const std::filesystem::path& project) {
   files_->clear();
   if (const auto all = catalogue.files(sherd_))
-    for (const catalogue::FileRecord& file : *all) {
+    for (const records::FileRecord& file : *all) {
       std::error_code code;
       const bool there = std::filesystem::exists(project / file.path, code);
       auto* item = new QTreeWidgetItem(
           files_, {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
                    QString::fromStdString(file.role),
-                   fileState(there ? file.state : catalogue::FileState::Missing)});
+                   fileState(there ? file.state : records::FileState::Missing)});
       item->setToolTip(0, QString::fromStdString(file.path));
     }
   fitHeight(files_);
@@ -444,7 +444,7 @@ void SherdDetails::clear() {
   why_no_number_->hide();
   number_->setText(tr("Choose a sherd."));
   place_->clear();
-  for (const catalogue::SherdField& field : catalogue::sherdFields())
+  for (const records::SherdField& field : records::sherdFields())
     if (field.editable) setText(field.name, {});
   for (QTreeWidget* tree : {measures_, history_, files_}) {
     tree->clear();

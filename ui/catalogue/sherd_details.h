@@ -25,9 +25,9 @@ class SherdDetails final : public QScrollArea {
   /// Which terms a field offers. Call after the vocabularies changed.
   void setVocabularies(const catalogue::Catalogue& catalogue);
   void showSherd(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
-                 catalogue::SherdRow sherd);
+                 store::SherdRow sherd);
   void clear();
-  catalogue::SherdRow sherd() const { return sherd_; }
+  store::SherdRow sherd() const { return sherd_; }
   /// The cursor into the first field that is empty, or into this one.
   void edit(const std::string& field = {});
   /// What was typed stays at its sherd until it is saved, whatever is shown meanwhile: it was
@@ -55,7 +55,7 @@ class SherdDetails final : public QScrollArea {
   void buildLayout();
   void buildRefusal(QWidget* page);
   void addPlace();
-  QWidget* editorFor(const catalogue::SherdField& field);
+  QWidget* editorFor(const records::SherdField& field);
   void setText(const std::string& field, const QString& text);
   void put(const QString& field, const QString& text);
   bool isTyping(const QString& field) const;  ///< a person, who has not left it yet
@@ -63,11 +63,11 @@ class SherdDetails final : public QScrollArea {
   void showUnsaved();
   void placeRefusal(const std::string& field, const QString& sentence, const QString& other,
                     const QString& picture);
-  void showMeasures(const catalogue::Catalogue& catalogue, const catalogue::SherdRecord& sherd);
+  void showMeasures(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd);
   void showHistory(const catalogue::Catalogue& catalogue);
   void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);
 
-  catalogue::SherdRow sherd_;
+  store::SherdRow sherd_;
   QLabel* number_ = nullptr;
   QPushButton* give_number_ = nullptr;
   QLabel* why_no_number_ = nullptr;

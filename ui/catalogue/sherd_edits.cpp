@@ -12,7 +12,7 @@
 namespace ostraka::ui {
 namespace {
 
-using Changes = std::vector<catalogue::FieldChange>;
+using Changes = std::vector<records::FieldChange>;
 
 // Numbers for those that can have one; the others lack a part of it, mostly their context.
 struct Numbers {
@@ -22,18 +22,18 @@ struct Numbers {
 };
 
 Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
-                           const std::vector<catalogue::SherdRow>& sherds) {
-  const Result<std::vector<catalogue::SherdRecord>> records = catalogue.sherds(sherds);
+                           const std::vector<store::SherdRow>& sherds) {
+  const Result<std::vector<records::SherdRecord>> records = catalogue.sherds(sherds);
   if (!records) return records.error();
-  std::vector<catalogue::SherdRow> drafts;
-  for (const catalogue::SherdRecord& sherd : *records)
-    if (sherd.state == catalogue::SherdState::Draft) drafts.push_back(sherd.row);
+  std::vector<store::SherdRow> drafts;
+  for (const records::SherdRecord& sherd : *records)
+    if (sherd.state == records::SherdState::Draft) drafts.push_back(sherd.row);
   Numbers made;
   if (drafts.empty()) return made;
   const int wanted = static_cast<int>(drafts.size());
   Result<std::vector<std::string>> numbers = catalogue.proposeNumbers(drafts);
   if (!numbers) {
-    std::erase_if(drafts, [&](const catalogue::SherdRow& draft) {
+    std::erase_if(drafts, [&](const store::SherdRow& draft) {
       const auto alone = catalogue.proposeNumbers(std::span(&draft, 1));
       if (!alone) made.why_left = alone.error();
       return !alone.has_value();
@@ -94,7 +94,7 @@ class SherdEditCommand final : public QUndoCommand {
 SherdEdits::SherdEdits(ProjectSession& session, QObject* parent)
     : QObject(parent), session_(session) {}
 
-catalogue::Provenance SherdEdits::provenance() const {
+records::Provenance SherdEdits::provenance() const {
   return session_.provenance();
 }
 
@@ -103,8 +103,8 @@ QString SherdEdits::busyWords() const {
 }
 
 void SherdEdits::tell(const Changes& changes) {
-  std::vector<catalogue::SherdRow> sherds;
-  for (const catalogue::FieldChange& change : changes) sherds.push_back(change.sherd);
+  std::vector<store::SherdRow> sherds;
+  for (const records::FieldChange& change : changes) sherds.push_back(change.sherd);
   emit changed(sherds);
   session_.tellSherdsChanged();
 }
@@ -135,7 +135,7 @@ void SherdEdits::took(const QString& title, const Changes& done, const Changes& 
   session_.tellSherdsChanged();
 }
 
-QString SherdEdits::assignNumbers(const std::vector<catalogue::SherdRow>& sherds) {
+QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
   if (isBusy()) return busyWords();
   const QString nothing = tr("The sherds that are chosen have their numbers.");
   const auto title = [](const Changes& changes) {
@@ -176,7 +176,7 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
   const auto work =
       [folder = session_.folder(), making, provenance = provenance(), stop = stop_.get_token()](
           Progress& progress, std::stop_token) -> Result<std::shared_ptr<const Made>> {
-    Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     Result<Changes> changes = making(*catalogue);
     if (!changes) return changes.error();

@@ -25,29 +25,29 @@ class SherdEdits final : public QObject {
 
   /// Empty when it was saved, or is being saved, else the sentence why not. note: what a person
   /// has to know when it is saved.
-  QString change(const QString& title, const std::vector<catalogue::FieldChange>& changes,
+  QString change(const QString& title, const std::vector<records::FieldChange>& changes,
                  const QString& note = {});
   /// What an import saved already, so that it can be undone, too.
-  void took(const QString& title, const std::vector<catalogue::FieldChange>& done,
-            const std::vector<catalogue::FieldChange>& undo);
+  void took(const QString& title, const std::vector<records::FieldChange>& done,
+            const std::vector<records::FieldChange>& undo);
   /// Gives those of them that are drafts their numbers. The sentence, or empty.
-  QString assignNumbers(const std::vector<catalogue::SherdRow>& sherds);
+  QString assignNumbers(const std::vector<store::SherdRow>& sherds);
   /// Who works now, as the history names it.
-  catalogue::Provenance provenance() const;
+  records::Provenance provenance() const;
 
   bool isBusy() const { return job_ != nullptr; }  ///< many are being changed
   double fraction() const { return job_ ? job_->progress().fraction : 0; }
   void stop();  ///< what was changed of the many is taken back
 
  signals:
-  void changed(const std::vector<catalogue::SherdRow>& sherds);
+  void changed(const std::vector<store::SherdRow>& sherds);
   void failed(const QString& sentence);  ///< undoing, redoing or changing many was refused
   void noted(const QString& sentence);   ///< it is saved, and this came with it
   void busyChanged();                    ///< began, went on, ended
 
  private:
   friend class SherdEditCommand;
-  using Changes = std::vector<catalogue::FieldChange>;
+  using Changes = std::vector<records::FieldChange>;
   struct Made {
     Changes done, undo;
   };

@@ -14,8 +14,8 @@ namespace {
 constexpr int kPictureSize = 240;
 
 bool isNumber(const std::string& field) {
-  for (const catalogue::SherdField& known : catalogue::sherdFields())
-    if (field == known.name) return known.kind == catalogue::FieldKind::Number;
+  for (const records::SherdField& known : records::sherdFields())
+    if (field == known.name) return known.kind == records::FieldKind::Number;
   return false;
 }
 
@@ -66,9 +66,9 @@ QString SherdTableModel::setFilter(const QString& line) {
 }
 
 void SherdTableModel::reload() {
-  std::vector<catalogue::SherdRow> rows;
+  std::vector<store::SherdRow> rows;
   if (catalogue_) {
-    Result<std::vector<catalogue::SherdRow>> found = catalogue_->sherdRows(filter_, order_);
+    Result<std::vector<store::SherdRow>> found = catalogue_->sherdRows(filter_, order_);
     if (!found) {
       emit failed(sentenceOf(found.error()));
       return;
@@ -82,14 +82,14 @@ void SherdTableModel::reload() {
   endResetModel();
 }
 
-void SherdTableModel::refresh(const std::vector<catalogue::SherdRow>& sherds) {
+void SherdTableModel::refresh(const std::vector<store::SherdRow>& sherds) {
   if (sherds.size() > static_cast<std::size_t>(kPage) && !rows_.empty()) {
     pages_.clear();
     emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     return;
   }
   int first = static_cast<int>(rows_.size()), last = -1;
-  for (const catalogue::SherdRow& sherd : sherds) {
+  for (const store::SherdRow& sherd : sherds) {
     const int row = rowOf(sherd);
     if (row < 0) continue;
     pages_.remove(row / kPage);
@@ -99,12 +99,12 @@ void SherdTableModel::refresh(const std::vector<catalogue::SherdRow>& sherds) {
   if (last >= 0) emit dataChanged(index(first, 0), index(last, columnCount() - 1));
 }
 
-catalogue::SherdRow SherdTableModel::sherdAt(int row) const {
+store::SherdRow SherdTableModel::sherdAt(int row) const {
   return row >= 0 && row < static_cast<int>(rows_.size()) ? rows_[static_cast<std::size_t>(row)]
-                                                          : catalogue::SherdRow{};
+                                                          : store::SherdRow{};
 }
 
-int SherdTableModel::rowOf(catalogue::SherdRow sherd) const {
+int SherdTableModel::rowOf(store::SherdRow sherd) const {
   if (row_of_.isEmpty())
     for (std::size_t i = 0; i < rows_.size(); ++i)
       row_of_.insert(rows_[i].value, static_cast<int>(i));
@@ -119,21 +119,21 @@ int SherdTableModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(fields_.size());
 }
 
-const catalogue::SherdRecord* SherdTableModel::record(int row) const {
+const records::SherdRecord* SherdTableModel::record(int row) const {
   const int page = row / kPage;
   if (!pages_.contains(page)) {
     const auto begin = static_cast<std::size_t>(page * kPage);
     const std::size_t count = std::min<std::size_t>(kPage, rows_.size() - begin);
-    Result<std::vector<catalogue::SherdRecord>> read =
+    Result<std::vector<records::SherdRecord>> read =
         catalogue_->sherds(std::span(rows_).subspan(begin, count));
     ++pages_read_;
     if (!read) return nullptr;
-    pages_.insert(page, new std::vector<catalogue::SherdRecord>(std::move(*read)));
+    pages_.insert(page, new std::vector<records::SherdRecord>(std::move(*read)));
   }
   return &(*pages_.object(page))[static_cast<std::size_t>(row % kPage)];
 }
 
-QVariant SherdTableModel::picture(int row, const catalogue::SherdRecord& sherd) const {
+QVariant SherdTableModel::picture(int row, const records::SherdRecord& sherd) const {
   if (sherd.preview_path.empty()) return icon("sherd");
   const QString path = QString::fromStdString((project_ / sherd.preview_path).string());
   if (const QIcon* known = pictures_.object(path)) return *known;
@@ -178,7 +178,7 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
       role != Qt::AccessibleTextRole && role != Qt::FontRole)
     return {};
   if (role == Qt::DecorationRole && index.column() != 0 && !isNumber(field)) return {};
-  const catalogue::SherdRecord* sherd = record(index.row());
+  const records::SherdRecord* sherd = record(index.row());
   if (!sherd) return {};
   const double* computed = computedBeside(*sherd, field);
   if (role == Qt::DecorationRole && index.column() != 0)
@@ -188,9 +188,9 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::FontRole) {
     QFont font;
     if (isNumber(field)) return tabularFont(font);
-    if (index.column() != 0 || sherd->state == catalogue::SherdState::Numbered) return {};
-    font.setItalic(sherd->state == catalogue::SherdState::Draft);
-    font.setStrikeOut(sherd->state == catalogue::SherdState::Void);
+    if (index.column() != 0 || sherd->state == records::SherdState::Numbered) return {};
+    font.setItalic(sherd->state == records::SherdState::Draft);
+    font.setStrikeOut(sherd->state == records::SherdState::Void);
     return font;
   }
   if (role == Qt::DecorationRole) return picture(index.row(), *sherd);

@@ -38,11 +38,11 @@ class SherdTableModel final : public QAbstractTableModel {
   void reload();
   void readVocabularies();  ///< words that are shown in the cells
   /// These sherds changed: their cells are drawn anew, the order stays until reload().
-  void refresh(const std::vector<catalogue::SherdRow>& rows);
+  void refresh(const std::vector<store::SherdRow>& rows);
 
-  const std::vector<catalogue::SherdRow>& rows() const { return rows_; }
-  catalogue::SherdRow sherdAt(int row) const;
-  int rowOf(catalogue::SherdRow sherd) const;
+  const std::vector<store::SherdRow>& rows() const { return rows_; }
+  store::SherdRow sherdAt(int row) const;
+  int rowOf(store::SherdRow sherd) const;
   const std::vector<std::string>& fields() const { return fields_; }
   int pagesRead() const { return pages_read_; }
 
@@ -56,8 +56,8 @@ class SherdTableModel final : public QAbstractTableModel {
   void failed(const QString& sentence);
 
  private:
-  const catalogue::SherdRecord* record(int row) const;
-  QVariant picture(int row, const catalogue::SherdRecord& sherd) const;
+  const records::SherdRecord* record(int row) const;
+  QVariant picture(int row, const records::SherdRecord& sherd) const;
   void pictureArrived(const QString& path, const QImage& image);
 
   const catalogue::Catalogue* catalogue_ = nullptr;
@@ -66,11 +66,11 @@ class SherdTableModel final : public QAbstractTableModel {
   QPointer<QObject> requests_;  ///< parent of the jobs for pictures; goes with the project
   TermWords words_;
   catalogue::Filter filter_;
-  catalogue::SherdOrder order_;
+  records::SherdOrder order_;
   std::vector<std::string> fields_;
-  std::vector<catalogue::SherdRow> rows_;
+  std::vector<store::SherdRow> rows_;
   mutable QHash<qint64, int> row_of_;
-  mutable QCache<int, std::vector<catalogue::SherdRecord>> pages_{40};
+  mutable QCache<int, std::vector<records::SherdRecord>> pages_{40};
   mutable QCache<QString, QIcon> pictures_{1000};
   mutable QHash<QString, std::vector<int>> asked_;  ///< path -> rows that wait for it
   mutable int pages_read_ = 0;

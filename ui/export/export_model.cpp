@@ -25,9 +25,9 @@ constexpr double kSecondsPerDrawing = 2;  // of a sherd of 60 mm
 constexpr double kSecondsPerLighter = 3;  // likewise
 constexpr const char* kChoicesKey = "export.choices";
 
-Result<std::vector<catalogue::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
-                                                ExportModel::What what, const QString& line,
-                                                const std::vector<catalogue::SherdRow>& chosen) {
+Result<std::vector<store::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
+                                            ExportModel::What what, const QString& line,
+                                            const std::vector<store::SherdRow>& chosen) {
   if (what == ExportModel::What::Chosen) return chosen;
   const Result<catalogue::Filter> filter = catalogue::parseFilter(
       what == ExportModel::What::Filtered ? withFieldNames(line).toStdString() : std::string());
@@ -123,14 +123,14 @@ void ExportModel::setFilter(const QString& line) {
   chooseAnew();
 }
 
-void ExportModel::setChosen(std::vector<catalogue::SherdRow> sherds) {
+void ExportModel::setChosen(std::vector<store::SherdRow> sherds) {
   if (what_ == What::Chosen && sherds == chosen_) return;
   what_ = What::Chosen;
   chosen_ = std::move(sherds);
   chooseAnew();
 }
 
-void ExportModel::offerChosen(std::vector<catalogue::SherdRow> sherds) {
+void ExportModel::offerChosen(std::vector<store::SherdRow> sherds) {
   if (sherds == chosen_) return;
   chosen_ = std::move(sherds);
   if (what_ == What::Chosen) return chooseAnew();
@@ -197,7 +197,7 @@ void ExportModel::measureSize() {
     const auto work = [folder = session_->folder(), what = what_, line = filter_, chosen = chosen_,
                        options = options()](Progress&,
                                             std::stop_token stop) -> Result<exchange::ExportSize> {
-      const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+      const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
       if (!catalogue) return catalogue.error();
       const auto rows = rowsOf(*catalogue, what, line, chosen);
       if (!rows) return rows.error();
@@ -276,7 +276,7 @@ void ExportModel::start() {
   const auto work = [folder = session_->folder(), what = what_, line = filter_, chosen = chosen_,
                      options = options()](Progress& progress,
                                           std::stop_token stop) -> Result<exchange::Exported> {
-    const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     const auto rows = rowsOf(*catalogue, what, line, chosen);
     if (!rows) return rows.error();

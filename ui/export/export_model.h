@@ -29,16 +29,16 @@ class ExportModel final : public QObject {
 
   What what() const { return what_; }
   const QString& filter() const { return filter_; }
-  const std::vector<catalogue::SherdRow>& chosen() const { return chosen_; }
+  const std::vector<store::SherdRow>& chosen() const { return chosen_; }
   const std::set<exchange::Form>& forms() const { return forms_; }
   const QString& target() const { return target_; }
   std::optional<double> drawingScale() const { return drawing_scale_; }
   double deviation_mm() const { return deviation_mm_; }
   void setAll();
   void setFilter(const QString& line);
-  void setChosen(std::vector<catalogue::SherdRow> sherds);
+  void setChosen(std::vector<store::SherdRow> sherds);
   /// What could be chosen; what is exported stays.
-  void offerChosen(std::vector<catalogue::SherdRow> sherds);
+  void offerChosen(std::vector<store::SherdRow> sherds);
   void setForm(exchange::Form form, bool wanted);
   void setDrawingScale(std::optional<double> scale);  ///< nothing: what fits the sheet
   /// Models with fewer triangles, this far off at most, mm; 0: as computed.
@@ -74,7 +74,7 @@ class ExportModel final : public QObject {
   ProjectSession* session_ = nullptr;
   What what_ = What::All;
   QString filter_, target_, problem_, parent_;
-  std::vector<catalogue::SherdRow> chosen_;
+  std::vector<store::SherdRow> chosen_;
   std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
   std::optional<double> drawing_scale_ = 1;
   double deviation_mm_ = 0;

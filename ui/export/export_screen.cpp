@@ -242,7 +242,7 @@ void ExportScreen::hideEvent(QHideEvent* event) {
 
 void ExportScreen::showItem(const QString& what) {
   if (what.startsWith("rows:")) {
-    std::vector<catalogue::SherdRow> rows;
+    std::vector<store::SherdRow> rows;
     for (const QString& row : what.mid(5).split(',', Qt::SkipEmptyParts))
       rows.push_back({row.toLongLong()});
     model_.setChosen(std::move(rows));

@@ -10,7 +10,7 @@
 
 namespace ostraka::ui {
 
-QString placeWords(const catalogue::Catalogue& rows, const catalogue::BatchRecord& batch) {
+QString placeWords(const catalogue::Catalogue& rows, const records::BatchRecord& batch) {
   if (batch.bags.empty()) return {};
   const auto place = catalogue::placeOf(rows, batch.bags.front());
   if (!place || !*place) return {};
@@ -29,7 +29,7 @@ QString batchWords(const catalogue::Catalogue& rows, const QString& number) {
   return place.isEmpty() ? number : QStringLiteral("%1, %2").arg(number, place);
 }
 
-QString aboutBatch(const catalogue::Catalogue& rows, const catalogue::BatchRecord& batch) {
+QString aboutBatch(const catalogue::Catalogue& rows, const records::BatchRecord& batch) {
   QStringList parts{placeWords(rows, batch)};
   if (batch.started_ms)
     parts << QLocale::c().toString(QDateTime::fromMSecsSinceEpoch(*batch.started_ms).date(),

@@ -7,7 +7,7 @@
 
 namespace ostraka::ui {
 
-ProjectSession::ProjectSession(std::shared_ptr<catalogue::Project> project,
+ProjectSession::ProjectSession(std::shared_ptr<upkeep::Project> project,
                                std::filesystem::path folder, JobRunner& runner, QObject* parent)
     : QObject(parent),
       project_(std::move(project)),
@@ -38,8 +38,8 @@ Error ProjectSession::goneError() const {
           folder_.string()};
 }
 
-catalogue::Provenance ProjectSession::provenance(const QString& why) {
-  catalogue::Provenance provenance;
+records::Provenance ProjectSession::provenance(const QString& why) {
+  records::Provenance provenance;
   provenance.why = why.toStdString();
   if (initials_.isEmpty()) return provenance;
   if (person_row_ == 0) {

@@ -8,10 +8,13 @@
 
 #include "base/result.h"
 
-namespace ostraka::catalogue {
-class Project;
+namespace ostraka::records {
 struct Provenance;
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records
+
+namespace ostraka::upkeep {
+class Project;
+}  // namespace ostraka::upkeep
 
 namespace ostraka::ui {
 
@@ -25,14 +28,14 @@ class ProjectSession final : public QObject {
 
  public:
   /// folder: PROJECT, which holds catalogue.sqlite, batches/Bnnnn, results/Bnnnn, backups/.
-  ProjectSession(std::shared_ptr<catalogue::Project> project, std::filesystem::path folder,
+  ProjectSession(std::shared_ptr<upkeep::Project> project, std::filesystem::path folder,
                  JobRunner& runner, QObject* parent = nullptr);
   ~ProjectSession() override;
 
   /// False in tests of what needs no catalogue.
   bool hasProject() const { return project_ != nullptr; }
   /// The open project; for the thread of the window only. Jobs open their own with folder().
-  catalogue::Project& project() { return *project_; }
+  upkeep::Project& project() { return *project_; }
   const std::filesystem::path& folder() const { return folder_; }
   /// Its folder is where it was when it was opened: not moved, renamed or taken away with its disk.
   bool isThere() const;
@@ -45,7 +48,7 @@ class ProjectSession final : public QObject {
   void setInitials(const QString& initials);  ///< kept in capitals
   /// Who does something now, for calls that change the catalogue. Makes the person's row when the
   /// project does not know the initials yet.
-  catalogue::Provenance provenance(const QString& why = {});
+  records::Provenance provenance(const QString& why = {});
 
   /// To be called by who changed a batch or sherds; they emit the signals below.
   void tellBatchChanged(const QString& number) { emit batchChanged(number); }
@@ -61,7 +64,7 @@ class ProjectSession final : public QObject {
   void personRefused(const QString& sentence);
 
  private:
-  std::shared_ptr<catalogue::Project> project_;
+  std::shared_ptr<upkeep::Project> project_;
   std::filesystem::path folder_;
   JobRunner& runner_;
   QUndoStack undo_;

@@ -6,7 +6,7 @@
 
 namespace ostraka::ui {
 
-QString termLabel(const catalogue::Term& term) {
+QString termLabel(const records::Term& term) {
   const QString language = QLocale().name().section(QLatin1Char('_'), 0, 0);
   const auto label = term.labels.find(language.toStdString());
   return QString::fromStdString(label == term.labels.end() ? term.term : label->second);
@@ -15,12 +15,12 @@ QString termLabel(const catalogue::Term& term) {
 void TermWords::read(const catalogue::Catalogue& catalogue) {
   labels_.clear();
   in_order_.clear();
-  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+  for (const records::SherdField& field : records::sherdFields()) {
     const QString name = QString::fromLatin1(field.vocabulary);
     if (name.isEmpty() || labels_.contains(name)) continue;
     const auto terms = catalogue.vocabulary(field.vocabulary);
     if (!terms) continue;
-    for (const catalogue::Term& term : *terms) {
+    for (const records::Term& term : *terms) {
       const QString label = termLabel(term);
       labels_[name].insert(QString::fromStdString(term.term), label);
       in_order_[name] << label;
@@ -28,7 +28,7 @@ void TermWords::read(const catalogue::Catalogue& catalogue) {
   }
 }
 
-QString TermWords::shown(const catalogue::SherdField& field, const QString& text) const {
+QString TermWords::shown(const records::SherdField& field, const QString& text) const {
   const auto labels = labels_.constFind(QString::fromLatin1(field.vocabulary));
   if (labels == labels_.constEnd() || text.isEmpty()) return text;
   QStringList words;
@@ -37,12 +37,12 @@ QString TermWords::shown(const catalogue::SherdField& field, const QString& text
 }
 
 QString TermWords::shown(const std::string& field, const std::string& text) const {
-  for (const catalogue::SherdField& known : catalogue::sherdFields())
+  for (const records::SherdField& known : records::sherdFields())
     if (field == known.name) return shown(known, QString::fromStdString(text));
   return QString::fromStdString(text);
 }
 
-QStringList TermWords::of(const catalogue::SherdField& field) const {
+QStringList TermWords::of(const records::SherdField& field) const {
   return in_order_.value(QString::fromLatin1(field.vocabulary));
 }
 

@@ -13,8 +13,8 @@
 namespace ostraka::ui {
 namespace {
 
-using catalogue::RepairedRow;
-using catalogue::RepairReport;
+using upkeep::RepairedRow;
+using upkeep::RepairReport;
 
 constexpr int kMostRows = 8;  // that a message shows; the others stand in the list
 
@@ -80,7 +80,7 @@ void CatalogueRepair::repair(const QString& folder) {
   job_ = runner_.start(
       makeJob(tr("Repair of the catalogue"),
               [project](Progress& progress, std::stop_token stop) -> Result<RepairReport> {
-                return catalogue::repairCatalogue(project, progress, stop);
+                return upkeep::repairCatalogue(project, progress, stop);
               }),
       this);
   connect(job_, &JobHandle::finished, this, [this, folder](const JobOutcome& outcome) {

@@ -20,16 +20,16 @@ void FileWatch::look(const std::filesystem::path& project) {
   job_ = runner_.start(
       makeJob(
           tr("Check of the files"),
-          [project](Progress& progress, std::stop_token stop) -> Result<catalogue::CheckedFiles> {
-            const auto rows = catalogue::Project::connect(project);
+          [project](Progress& progress, std::stop_token stop) -> Result<upkeep::CheckedFiles> {
+            const auto rows = upkeep::Project::connect(project);
             if (!rows) return rows.error();
-            return catalogue::checkShare(*rows, project, kShare_bytes, progress, stop);
+            return upkeep::checkShare(*rows, project, kShare_bytes, progress, stop);
           },
           JobPriority::Background),
       this);
   connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     std::exchange(job_, nullptr)->deleteLater();
-    const auto checked = outcomeAs<catalogue::CheckedFiles>(outcome);
+    const auto checked = outcomeAs<upkeep::CheckedFiles>(outcome);
     if (!checked && checked.error().code == ErrorCode::Damaged)
       return emit catalogueDamaged(checked.error());
     if (!checked || checked->damaged.empty()) return;

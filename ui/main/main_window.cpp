@@ -227,18 +227,18 @@ void MainWindow::openProject(const QString& path) {
   // A file manager hands over the catalogue's file; the project is its folder.
   const QFileInfo given(path);
   const QString folder = given.isFile() ? given.absolutePath() : path;
-  if (catalogue::Project::isProject(folder.toStdString()) && !lockProject(folder)) return;
-  Result<catalogue::Project> project = catalogue::Project::open(folder.toStdString());
+  if (upkeep::Project::isProject(folder.toStdString()) && !lockProject(folder)) return;
+  Result<upkeep::Project> project = upkeep::Project::open(folder.toStdString());
   if (!project) {
     lock_.reset();
     return start_->showError(project.error());
   }
-  showProject(std::make_shared<catalogue::Project>(std::move(*project)));
+  showProject(std::make_shared<upkeep::Project>(std::move(*project)));
   showScreen(qMax(0, screenNamed(settings_.screen)));
 }
 
 void MainWindow::findProject(const QString& lost, const QString& found) {
-  if (catalogue::Project::isProject(found.toStdString())) settings_.moved(lost, found);
+  if (upkeep::Project::isProject(found.toStdString())) settings_.moved(lost, found);
   openProject(found);
 }
 
@@ -256,14 +256,14 @@ bool MainWindow::lockProject(const QString& folder) {
   return false;
 }
 
-void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
+void MainWindow::takeProject(std::shared_ptr<upkeep::Project> project) {
   closeProject();
   if (!lockProject(QString::fromStdString(project->folder().string()))) return;
   showProject(std::move(project));
   showScreen(0);
 }
 
-void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
+void MainWindow::showProject(std::shared_ptr<upkeep::Project> project) {
   const std::filesystem::path folder = project->folder();
   const QString path = QString::fromStdString(folder.string());
   session_ = std::make_unique<ProjectSession>(std::move(project), folder, runner_);
@@ -467,7 +467,7 @@ void MainWindow::backUp() {
   JobHandle* job =
       runner_.start(makeJob(tr("Copy of the catalogue"),
                             [folder = session_->folder()](Progress&, std::stop_token) {
-                              const auto project = catalogue::Project::open(folder);
+                              const auto project = upkeep::Project::open(folder);
                               return project ? project->backUpIfChanged() : project.error();
                             }),
                     this);

@@ -11,7 +11,7 @@ class QStackedWidget;
 class QTimer;
 class QUndoGroup;
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 class Project;
 }
 
@@ -72,8 +72,8 @@ class MainWindow final : public QMainWindow {
   void buildLayout();
   void buildActions();
   bool lockProject(const QString& folder);
-  void takeProject(std::shared_ptr<catalogue::Project> project);
-  void showProject(std::shared_ptr<catalogue::Project> project);
+  void takeProject(std::shared_ptr<upkeep::Project> project);
+  void showProject(std::shared_ptr<upkeep::Project> project);
   int screenNamed(const QString& icon_name) const;
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);

@@ -34,7 +34,7 @@ void NewProject::clear() {
   site_.clear();
   folder_.clear();
   folder_typed_ = false;
-  numbering_ = QString::fromStdString(catalogue::ProjectRecord().numbering);
+  numbering_ = QString::fromStdString(records::ProjectRecord().numbering);
   follow();
 }
 
@@ -67,7 +67,7 @@ void NewProject::follow() {
   }
   example_.clear();
   numbering_refusal_.clear();
-  const auto scheme = catalogue::Numbering::parse(numbering_.toStdString());
+  const auto scheme = records::Numbering::parse(numbering_.toStdString());
   if (!scheme) {
     numbering_refusal_ = sentenceOf(scheme.error());
   } else {
@@ -94,28 +94,28 @@ QString NewProject::refusal() const {
   if (!numbering_refusal_.isEmpty()) return numbering_refusal_;
   if (place().isEmpty()) return tr("Choose a folder for the project.");
   const QDir folder(place());
-  if (catalogue::Project::isProject(place().toStdString()))
+  if (upkeep::Project::isProject(place().toStdString()))
     return tr("There is a project in this folder already: open it, or choose another folder.");
   if (folder.exists() && !folder.isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
     return tr("This folder holds other files: choose a new one.");
   return {};
 }
 
-Result<std::shared_ptr<catalogue::Project>> NewProject::make() const {
-  catalogue::ProjectRecord record;
+Result<std::shared_ptr<upkeep::Project>> NewProject::make() const {
+  records::ProjectRecord record;
   record.code = site_.toStdString();
   record.title = (name_.isEmpty() ? site_ : name_).toStdString();
   record.numbering = numbering_.toStdString();
-  Result<catalogue::Project> made = catalogue::Project::create(place().toStdString(), record);
+  Result<upkeep::Project> made = upkeep::Project::create(place().toStdString(), record);
   if (!made) return made.error();
-  catalogue::SiteRecord site;
+  records::SiteRecord site;
   site.code = record.code;
   site.name = record.title;
   if (const auto saved = made->catalogue().save(site, {}); !saved) return saved.error();
-  return std::make_shared<catalogue::Project>(std::move(*made));
+  return std::make_shared<upkeep::Project>(std::move(*made));
 }
 
-Result<std::shared_ptr<catalogue::Project>> makeVirtualProject(const QString& folder) {
+Result<std::shared_ptr<upkeep::Project>> makeVirtualProject(const QString& folder) {
   NewProject fresh;
   fresh.setName(NewProject::tr("Virtual rig"));
   fresh.setSiteCode(QStringLiteral("VIRT"));

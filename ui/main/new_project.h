@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 class Project;
 }
 
@@ -30,7 +30,7 @@ class NewProject final : public QObject {
   bool canBeMade() const { return refusal().isEmpty(); }
 
   /// Makes the project's folder and its catalogue with the site.
-  Result<std::shared_ptr<catalogue::Project>> make() const;
+  Result<std::shared_ptr<upkeep::Project>> make() const;
 
  public slots:
   void clear();                       ///< as it was at first
@@ -55,6 +55,6 @@ class NewProject final : public QObject {
 QString projectsFolder();
 
 /// A new project 'Virtual rig' with a rig of that kind and a bag that is filled in already.
-Result<std::shared_ptr<catalogue::Project>> makeVirtualProject(const QString& folder);
+Result<std::shared_ptr<upkeep::Project>> makeVirtualProject(const QString& folder);
 
 }  // namespace ostraka::ui

@@ -34,7 +34,7 @@ class StartScreen final : public QWidget {
   void virtualRigWanted();
   void settingsWanted();
   void manualWanted();
-  void made(const std::shared_ptr<ostraka::catalogue::Project>& project);
+  void made(const std::shared_ptr<ostraka::upkeep::Project>& project);
 
  private:
   QWidget* buildRecent();

@@ -26,7 +26,7 @@ QString placeOf(const std::string& site, const std::string& trench, const std::s
 }
 
 // Those that the catalogue knows; before it knows any, those that were counted by hand.
-QString contentsOf(const catalogue::BagRecord& bag, const QString& initials) {
+QString contentsOf(const records::BagRecord& bag, const QString& initials) {
   const int written = bag.count_written.value_or(0);
   const QString who = bag.entered_by.empty() ? initials : QString::fromStdString(bag.entered_by);
   QString sherds;
@@ -55,31 +55,31 @@ QString plainNumber(const QString& on_plate) {
   return counted ? QString::number(number) : on_plate;
 }
 
-bool isTakenOut(const pipeline::MapMark& mark) {
-  return mark.state == pipeline::CardState::Aside || mark.state == pipeline::CardState::Reshoot;
+bool isTakenOut(const review::MapMark& mark) {
+  return mark.state == review::CardState::Aside || mark.state == review::CardState::Reshoot;
 }
 
-void fillIn(PlateSherd& sherd, const QString& on_label, const catalogue::SherdRecord& known,
-            const pipeline::MapMark& mark) {
+void fillIn(PlateSherd& sherd, const QString& on_label, const records::SherdRecord& known,
+            const review::MapMark& mark) {
   SherdLabel& label = sherd.label;
   label.context = placeOf(known.site, known.trench, known.context_number, known.bag_number);
   sherd.has_final_number = !known.number.empty();
   if (sherd.has_final_number) label.number = QString::fromStdString(known.number);
   label.code = codeOf(QLatin1Char('S'), sherd.has_final_number ? label.number : on_label, known.id);
   // A draft whose front has no partner is void without anybody's word.
-  const bool alone = isTakenOut(mark) || mark.state == pipeline::CardState::Alone;
-  sherd.is_void = known.state == catalogue::SherdState::Void && (sherd.has_final_number || !alone);
+  const bool alone = isTakenOut(mark) || mark.state == review::CardState::Alone;
+  sherd.is_void = known.state == records::SherdState::Void && (sherd.has_final_number || !alone);
 }
 
 }  // namespace
 
-QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
+QVector<PlateSherd> sherdsOnPlate(const review::PlateMap& map,
                                   const catalogue::Catalogue* catalogue,
                                   const QString& batch_number, const QString& date) {
-  std::optional<catalogue::PlateSherds> known;
+  std::optional<intake::PlateSherds> known;
   if (catalogue != nullptr) known.emplace(*catalogue, batch_number.toStdString());
   QVector<PlateSherd> sherds;
-  for (const pipeline::MapMark& mark : map.front.marks) {
+  for (const review::MapMark& mark : map.front.marks) {
     if (mark.number.empty() || mark.part > 0) continue;
     PlateSherd sherd;
     sherd.on_plate = QString::fromStdString(mark.number);
@@ -90,7 +90,7 @@ QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
                    {},
                    date,
                    QStringLiteral("OST1:S:") + number.toUpper()};
-    const catalogue::SherdRecord* record = known ? known->at(mark.place_mm) : nullptr;
+    const records::SherdRecord* record = known ? known->at(mark.place_mm) : nullptr;
     if (record != nullptr) fillIn(sherd, number, *record, mark);
     if (const auto* again = known ? known->again(mark.place_mm) : nullptr)
       sherd.again = QCoreApplication::translate("ostraka::ui", "%1 in %2")
@@ -161,7 +161,7 @@ QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QStri
   const auto bags = catalogue.bags();
   const auto contexts = catalogue.contexts();
   if (!bags || !contexts) return labels;
-  for (const catalogue::BagRecord& bag : *bags) {
+  for (const records::BagRecord& bag : *bags) {
     const auto place = std::find_if(contexts->begin(), contexts->end(),
                                     [&](const auto& c) { return c.row == bag.context; });
     if (place == contexts->end()) continue;

@@ -27,7 +27,7 @@ struct PlateSherd {
 /// end of the sherd's id. What has no number there yet keeps the batch's own; its label leads to it
 /// all the same, also when it has one.
 /// catalogue: null where there is none. date: of the shooting.
-QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
+QVector<PlateSherd> sherdsOnPlate(const review::PlateMap& map,
                                   const catalogue::Catalogue* catalogue,
                                   const QString& batch_number, const QString& date);
 

@@ -17,8 +17,8 @@
 namespace ostraka::ui {
 namespace {
 
-using pipeline::CardState;
-using pipeline::MapMark;
+using review::CardState;
+using review::MapMark;
 
 constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32;
 // As large as the label is high: a rig's camera sees it from half a metre, 0.25 to 0.4 mm a pixel.
@@ -121,7 +121,7 @@ QString MapNumbers::whole(const QString& plate_number) const {
   return (shortened.contains(plate_number) ? common : QString()) + shown(plate_number);
 }
 
-QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side) {
+QRectF mapPlace(const QRectF& where, const review::MapSide& side) {
   if (side.width <= 0 || side.height <= 0) return where;
   const QSizeF size = QSizeF(side.width, side.height).scaled(where.size(), Qt::KeepAspectRatio);
   QRectF place(QPointF(), size);
@@ -185,7 +185,7 @@ std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, cons
   return taken;
 }
 
-void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSide& side,
+void paintMapSide(QPainter& painter, const QRectF& where, const review::MapSide& side,
                   const QImage& photograph, const MapNumbers& final_numbers,
                   const QString& highlighted) {
   const QRectF place = mapPlace(where, side);

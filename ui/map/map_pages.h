@@ -37,14 +37,14 @@ struct MapNumbers {
 
 /// A plate with the photographs read, for screen and paper.
 struct MapPicture {
-  pipeline::PlateMap map;
+  review::PlateMap map;
   QImage front, back;  ///< null: the photograph is gone
   MapNumbers numbers = {};
 };
 
 /// What stands on the map at a mark: its number, and what is to be known before the piece is
 /// bagged.
-QString wordsOf(const pipeline::MapMark& mark, const MapNumbers& numbers);
+QString wordsOf(const review::MapMark& mark, const MapNumbers& numbers);
 
 /// A number on the map: how large it is written, where its sherd's middle lies, the sherd.
 struct NumberToPlace {
@@ -57,10 +57,10 @@ struct NumberToPlace {
 std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, const QRectF& within);
 
 /// Draws one side into a rectangle, marks and numbers on it; highlighted: the number in hand.
-void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSide& side,
+void paintMapSide(QPainter& painter, const QRectF& where, const review::MapSide& side,
                   const QImage& photograph, const MapNumbers& numbers, const QString& highlighted);
 /// The scale and place at which paintMapSide draws the photograph.
-QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side);
+QRectF mapPlace(const QRectF& where, const review::MapSide& side);
 
 /// The map on the first page, labels of 85 x 32 mm side by side on the following. Returns false
 /// with a sentence when the printer or file refuses.

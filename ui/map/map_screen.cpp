@@ -34,13 +34,13 @@ namespace fs = std::filesystem;
 
 Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) {
   // Its scans may be new already, and neither its pairs nor the catalogue.
-  if (const Result<void> whole = pipeline::computedToItsEnd(output); !whole) return whole.error();
-  const auto live = pipeline::LivePairs::open(output);
+  if (const Result<void> whole = review::computedToItsEnd(output); !whole) return whole.error();
+  const auto live = review::LivePairs::open(output);
   if (!live) return live.error();
-  const Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
+  const Result<decisions::Decisions> decisions = decisions::readDecisions(output);
   if (!decisions) return decisions.error();
   if (stop.stop_requested()) return Error::cancelled();
-  Result<pipeline::PlateMap> map = pipeline::plateMap(**live, pipeline::standing(*decisions));
+  Result<review::PlateMap> map = review::plateMap(**live, decisions::standing(*decisions));
   if (!map) return map.error();
   MapPicture picture{std::move(*map), {}, {}};
   if (stop.stop_requested()) return Error::cancelled();

@@ -48,7 +48,7 @@ void MapView::paintEvent(QPaintEvent*) {
   for (const bool front : {true, false}) {
     const QRectF where = half(front);
     // The word stands right above its picture.
-    const pipeline::MapSide& side = front ? picture_.map.front : picture_.map.back;
+    const review::MapSide& side = front ? picture_.map.front : picture_.map.back;
     const double line = half(front).top();
     const QRectF word(where.left(), mapPlace(where, side).top() - line, where.width(), line);
     painter.drawText(word, Qt::AlignCenter, front ? tr("front") : tr("back"));
@@ -60,11 +60,11 @@ void MapView::paintEvent(QPaintEvent*) {
 
 QString MapView::numberAt(const QPointF& place) const {
   for (const bool front : {true, false}) {
-    const pipeline::MapSide& side = front ? picture_.map.front : picture_.map.back;
+    const review::MapSide& side = front ? picture_.map.front : picture_.map.back;
     const QRectF drawn = mapPlace(half(front), side);
     if (!drawn.contains(place) || side.width <= 0) continue;
     const QPointF pixel = (place - drawn.topLeft()) * (side.width / drawn.width());
-    for (const pipeline::MapMark& mark : side.marks) {
+    for (const review::MapMark& mark : side.marks) {
       QPolygonF outline;
       for (const Eigen::Vector2d& p : mark.outline) outline << QPointF(p.x(), p.y());
       if (outline.containsPoint(pixel, Qt::OddEvenFill)) return QString::fromStdString(mark.number);
@@ -75,7 +75,7 @@ QString MapView::numberAt(const QPointF& place) const {
 
 QStringList MapView::numbers() const {
   QStringList list;
-  for (const pipeline::MapMark& mark : picture_.map.front.marks)
+  for (const review::MapMark& mark : picture_.map.front.marks)
     if (!mark.number.empty() && mark.part == 0) list << QString::fromStdString(mark.number);
   return list;
 }

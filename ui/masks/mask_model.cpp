@@ -21,22 +21,22 @@ namespace {
 constexpr QRgb kOverlay = qRgba(0, 90, 190, 120);
 
 struct OpenedMasks {
-  std::vector<pipeline::MaskedPhotograph> photographs;
+  std::vector<decisions::MaskedPhotograph> photographs;
   std::vector<std::string> hashes;
-  std::vector<pipeline::MaskStroke> strokes;
+  std::vector<decisions::MaskStroke> strokes;
 };
 
 Result<OpenedMasks> opened(const std::filesystem::path& output, const std::stop_token& stop) {
-  auto photographs = pipeline::maskedPhotographs(output);
+  auto photographs = decisions::maskedPhotographs(output);
   if (!photographs) return photographs.error();
-  auto strokes = pipeline::readMaskStrokes(output);
+  auto strokes = decisions::readMaskStrokes(output);
   if (!strokes) return strokes.error();
   std::vector<std::string> hashes;
-  for (const pipeline::MaskedPhotograph& p : *photographs) {
+  for (const decisions::MaskedPhotograph& p : *photographs) {
     if (stop.stop_requested()) return Error::cancelled();
     // Large files: only those are read of which there is something to tell.
-    const bool asked = pipeline::strokesOn(*strokes, p.side, p.camera, p.stop, {}).taken_again;
-    hashes.push_back(asked ? pipeline::photographHash(p.photograph) : std::string());
+    const bool asked = decisions::strokesOn(*strokes, p.side, p.camera, p.stop, {}).taken_again;
+    hashes.push_back(asked ? decisions::photographHash(p.photograph) : std::string());
   }
   return OpenedMasks{std::move(*photographs), std::move(hashes), std::move(*strokes)};
 }
@@ -58,7 +58,7 @@ QImage overlayOf(const QImage& mask) {
 /// A stroke as a value. What lies above it on the stack is undone first.
 class StrokeCommand final : public QUndoCommand {
  public:
-  StrokeCommand(MaskModel& model, pipeline::MaskStroke stroke)
+  StrokeCommand(MaskModel& model, decisions::MaskStroke stroke)
       : QUndoCommand(MaskModel::tr("paint on a mask")),
         model_(&model),
         session_(model.session_),
@@ -89,11 +89,11 @@ class StrokeCommand final : public QUndoCommand {
   // The page may show another batch by now; the strokes stand in the file of theirs.
   template <class Change>
   Result<void> change(Change apply) {
-    auto strokes = pipeline::readMaskStrokes(output_);
+    auto strokes = decisions::readMaskStrokes(output_);
     if (!strokes) return strokes.error();
     apply(*strokes);
     if (model_ && model_->output_ == output_) return model_->hold(*strokes);
-    const Result<void> written = pipeline::writeMaskStrokes(output_, *strokes);
+    const Result<void> written = decisions::writeMaskStrokes(output_, *strokes);
     if (written && model_)
       model_->settle(session_, QString::fromStdString(output_.filename().string()));
     return written;
@@ -106,7 +106,7 @@ class StrokeCommand final : public QUndoCommand {
   QPointer<MaskModel> model_;
   QPointer<ProjectSession> session_;
   std::filesystem::path output_;
-  pipeline::MaskStroke stroke_;
+  decisions::MaskStroke stroke_;
   bool stands_ = true;  ///< in the file; it was saved before the command was made
 };
 
@@ -157,7 +157,7 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
 }
 
 QString MaskModel::title(int index) const {
-  const pipeline::MaskedPhotograph& p = photographs_.at(static_cast<std::size_t>(index));
+  const decisions::MaskedPhotograph& p = photographs_.at(static_cast<std::size_t>(index));
   const QString side = p.side == batch::Side::Front ? tr("front") : tr("back");
   const QString file = QString::fromStdString(p.photograph.filename().string());
   if (!file.startsWith(QLatin1String("cam"),
@@ -167,10 +167,10 @@ QString MaskModel::title(int index) const {
 }
 
 // Not those on a photograph that was taken again since: sherds may lie elsewhere now.
-std::vector<pipeline::MaskStroke> MaskModel::strokesOn(int index) const {
+std::vector<decisions::MaskStroke> MaskModel::strokesOn(int index) const {
   const std::size_t i = static_cast<std::size_t>(index);
-  const pipeline::MaskedPhotograph& p = photographs_.at(i);
-  return pipeline::strokesOn(strokes_, p.side, p.camera, p.stop, hashes_.at(i)).holding;
+  const decisions::MaskedPhotograph& p = photographs_.at(i);
+  return decisions::strokesOn(strokes_, p.side, p.camera, p.stop, hashes_.at(i)).holding;
 }
 
 bool MaskModel::isEdited(int index) const {
@@ -183,10 +183,10 @@ int MaskModel::edited() const {
   return edited;
 }
 
-Result<MaskModel::Shown> MaskModel::read(const pipeline::MaskedPhotograph& photograph) {
+Result<MaskModel::Shown> MaskModel::read(const decisions::MaskedPhotograph& photograph) {
   Shown shown{readWhole(QString::fromStdString(photograph.photograph.string())),
               readWhole(QString::fromStdString(photograph.mask.string())),
-              pipeline::photographHash(photograph.photograph)};
+              decisions::photographHash(photograph.photograph)};
   for (const auto& [image, file] : {std::pair(&shown.photograph, &photograph.photograph),
                                     std::pair(&shown.overlay, &photograph.mask)})
     if (image->isNull())
@@ -222,11 +222,11 @@ void MaskModel::drawOverlay() {
   if (overlay_.isNull()) return;
   QPainter painter(&overlay_);
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const pipeline::MaskStroke& s : strokesOn(index_)) {
+  for (const decisions::MaskStroke& s : strokesOn(index_)) {
     QPolygonF path;
     for (const Eigen::Vector2d& at : s.path_px) path << QPointF(at.x(), at.y());
     if (path.size() == 1) path << path.first() + QPointF(0.01, 0);  // a dot is drawn, too
-    painter.setCompositionMode(s.paint == pipeline::MaskPaint::Sherd
+    painter.setCompositionMode(s.paint == decisions::MaskPaint::Sherd
                                    ? QPainter::CompositionMode_Source
                                    : QPainter::CompositionMode_Clear);
     painter.setPen(QPen(QColor::fromRgba(kOverlay), 2 * s.radius_px, Qt::SolidLine, Qt::RoundCap,
@@ -237,8 +237,8 @@ void MaskModel::drawOverlay() {
   emit overlayChanged();
 }
 
-Result<void> MaskModel::hold(std::vector<pipeline::MaskStroke> strokes) {
-  if (const Result<void> done = pipeline::writeMaskStrokes(output_, strokes); !done) return done;
+Result<void> MaskModel::hold(std::vector<decisions::MaskStroke> strokes) {
+  if (const Result<void> done = decisions::writeMaskStrokes(output_, strokes); !done) return done;
   strokes_ = std::move(strokes);
   painted_ = true;
   if (index_ >= 0) drawOverlay();
@@ -257,7 +257,7 @@ void MaskModel::settle(ProjectSession* session, const QString& batch) {
       makeJob(tr("Masks of %1").arg(batch),
               [project = session->folder(), number = batch.toStdString(),
                person = session->initials().toStdString()](Progress&, std::stop_token) {
-                return catalogue::settleByResults(project, number, person);
+                return intake::settleByResults(project, number, person);
               }),
       session);
   connect(settling_, &JobHandle::finished, session,
@@ -270,10 +270,10 @@ void MaskModel::settle(ProjectSession* session, const QString& batch) {
           });
 }
 
-void MaskModel::paint(pipeline::MaskPaint paint, const QPolygonF& path, double radius_px) {
+void MaskModel::paint(decisions::MaskPaint paint, const QPolygonF& path, double radius_px) {
   if (!session_ || index_ < 0 || overlay_.isNull() || path.isEmpty()) return;
-  const pipeline::MaskedPhotograph& p = photographs_[static_cast<std::size_t>(index_)];
-  pipeline::MaskStroke stroke;
+  const decisions::MaskedPhotograph& p = photographs_[static_cast<std::size_t>(index_)];
+  decisions::MaskStroke stroke;
   stroke.side = p.side;
   stroke.camera = p.camera;
   stroke.stop = p.stop;
@@ -283,7 +283,7 @@ void MaskModel::paint(pipeline::MaskPaint paint, const QPolygonF& path, double r
   stroke.by = session_->initials().toStdString();
   stroke.at = utcNow();
   stroke.photograph = hashes_[static_cast<std::size_t>(index_)];
-  std::vector<pipeline::MaskStroke> strokes = strokes_;
+  std::vector<decisions::MaskStroke> strokes = strokes_;
   strokes.push_back(stroke);
   if (const Result<void> done = hold(std::move(strokes)); !done)
     return emit failed(sentenceOf(done.error()));

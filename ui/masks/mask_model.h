@@ -40,7 +40,7 @@ class MaskModel final : public QObject {
 
   void show(int index);
   /// path: in pixels of the photograph.
-  void paint(pipeline::MaskPaint paint, const QPolygonF& path, double radius_px);
+  void paint(decisions::MaskPaint paint, const QPolygonF& path, double radius_px);
 
  signals:
   void changed();  ///< photographs, or which is shown
@@ -53,19 +53,19 @@ class MaskModel final : public QObject {
     QImage photograph, overlay;
     std::string hash;  ///< of the photograph's file
   };
-  std::vector<pipeline::MaskStroke> strokesOn(int index) const;
-  Result<void> hold(std::vector<pipeline::MaskStroke> strokes);
+  std::vector<decisions::MaskStroke> strokesOn(int index) const;
+  Result<void> hold(std::vector<decisions::MaskStroke> strokes);
   void drawOverlay();
   void forgetJob();
   void settle(ProjectSession* session, const QString& batch);
-  static Result<Shown> read(const pipeline::MaskedPhotograph& photograph);
+  static Result<Shown> read(const decisions::MaskedPhotograph& photograph);
 
   QPointer<ProjectSession> session_;
   QString batch_;
   std::filesystem::path output_;
-  std::vector<pipeline::MaskedPhotograph> photographs_;
+  std::vector<decisions::MaskedPhotograph> photographs_;
   std::vector<std::string> hashes_;  ///< of photographs; empty where none was asked for
-  std::vector<pipeline::MaskStroke> strokes_;
+  std::vector<decisions::MaskStroke> strokes_;
   bool painted_ = false;
   int index_ = -1;
   QImage photograph_, found_overlay_, overlay_;

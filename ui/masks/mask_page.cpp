@@ -62,7 +62,7 @@ MaskPage::MaskPage(QWidget* parent)
   });
   connect(model_, &MaskModel::failed, told_, &QLabel::setText);
   connect(view_, &MaskView::stroked, this, [this](const QPolygonF& path) {
-    model_->paint(sherd_->isChecked() ? pipeline::MaskPaint::Sherd : pipeline::MaskPaint::Plate,
+    model_->paint(sherd_->isChecked() ? decisions::MaskPaint::Sherd : decisions::MaskPaint::Plate,
                   path, width_->value() / 2.0);
   });
   useBrush();

@@ -32,7 +32,7 @@ BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number
   failure.aside = kept[kAside].toBool();
   failure.sentence = kept[kSentence].toString();
   if (const std::string was = kept[kWas].toString().toStdString(); !was.empty())
-    failure.was = catalogue::fromWord<catalogue::BatchState>(was);
+    failure.was = records::fromWord<records::BatchState>(was);
   return failure;
 }
 
@@ -41,7 +41,7 @@ Result<void> keepFailure(catalogue::Catalogue& rows, const QString& number,
   QJsonObject kept{{kCancelled, failure.cancelled}};
   if (failure.removed) kept[kRemoved] = true;
   if (failure.aside) kept[kAside] = true;
-  if (failure.was) kept[kWas] = QString::fromLatin1(catalogue::wordOf(*failure.was));
+  if (failure.was) kept[kWas] = QString::fromLatin1(records::wordOf(*failure.was));
   if (!failure.error.what.empty()) {
     kept[kWhat] = QString::fromStdString(failure.error.what);
     kept[kWhere] = QString::fromStdString(failure.error.where);

@@ -14,12 +14,12 @@ namespace ostraka::ui {
 /// Why a batch is computed no further. Kept as what happened, and worded in the language of who
 /// reads it.
 struct BatchFailure {
-  Error error = {};                               ///< where nobody asked for it
-  bool cancelled = false;                         ///< a person stopped it
-  bool removed = false;                           ///< cancelled: it only waited
-  bool aside = false;                             ///< cancelled: nobody wants it
-  std::optional<catalogue::BatchState> was = {};  ///< aside: what it is when it is taken up again
-  QString sentence = {};                          ///< all that earlier programs kept
+  Error error = {};                             ///< where nobody asked for it
+  bool cancelled = false;                       ///< a person stopped it
+  bool removed = false;                         ///< cancelled: it only waited
+  bool aside = false;                           ///< cancelled: nobody wants it
+  std::optional<records::BatchState> was = {};  ///< aside: what it is when it is taken up again
+  QString sentence = {};                        ///< all that earlier programs kept
 };
 
 BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number);

@@ -80,7 +80,7 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
   kept[QStringLiteral("draft")] = figures.draft;
   kept[QStringLiteral("counted")] = figures.counted;
   QJsonArray moved;
-  for (const pipeline::MovedCamera& camera : figures.moved)
+  for (const checks::MovedCamera& camera : figures.moved)
     moved.append(QJsonObject{{QStringLiteral("camera"), camera.camera},
                              {QStringLiteral("residual_px"), camera.residual_px},
                              {QStringLiteral("moved_mm"), camera.moved_mm},

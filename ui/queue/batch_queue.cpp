@@ -20,7 +20,7 @@
 namespace ostraka::ui {
 namespace {
 
-using catalogue::BatchState;
+using records::BatchState;
 
 constexpr int kKeptLogLines = 2000;
 constexpr const char* kPausedKey = "queue.paused";
@@ -55,7 +55,7 @@ QString pictureOf(const std::filesystem::path& batch) {
 }
 
 // What stands in the catalogue and on the disk beside the state.
-void readDetails(const catalogue::Project& project, QueueRow& row) {
+void readDetails(const upkeep::Project& project, QueueRow& row) {
   if (row.state == QueueState::Failed) {
     const BatchFailure failure = keptFailure(project.catalogue(), row.number);
     row.failure = wordsOf(failure);
@@ -70,7 +70,7 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
 Result<BatchFigures> figuresKept(const Result<BatchFigures>& figures,
                                  const ComputeOptions& options) {
   if (!figures) return figures;
-  if (Result<catalogue::Catalogue> rows = catalogue::Project::connect(options.project))
+  if (Result<catalogue::Catalogue> rows = upkeep::Project::connect(options.project))
     (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
   return figures;
 }
@@ -118,8 +118,8 @@ void BatchQueue::setSession(ProjectSession* session) {
   emit workChanged();
 }
 
-QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow* before) const {
-  const catalogue::Project& project = session_->project();
+QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* before) const {
+  const upkeep::Project& project = session_->project();
   QueueRow row;
   row.number = QString::fromStdString(batch.number);
   row.batch_row = batch.row.value;
@@ -141,7 +141,7 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
     readDetails(project, row);
   }
   row.masks_edited = row.state == QueueState::Review &&
-                     pipeline::masksWantComputing(project.resultsFolder(batch.number));
+                     decisions::masksWantComputing(project.resultsFolder(batch.number));
   return row;
 }
 
@@ -151,8 +151,8 @@ void BatchQueue::refresh() {
     QHash<QString, const QueueRow*> before;
     for (const QueueRow& row : rows_) before.insert(row.number, &row);
     const auto batches = session_->project().catalogue().batches();
-    for (const catalogue::BatchRecord& batch :
-         batches ? *batches : std::vector<catalogue::BatchRecord>())
+    for (const records::BatchRecord& batch :
+         batches ? *batches : std::vector<records::BatchRecord>())
       fresh.push_back(rowFrom(batch, before.value(QString::fromStdString(batch.number))));
   }
   const bool same =
@@ -379,8 +379,8 @@ void BatchQueue::cancel(const QString& number) {
   if (row == nullptr || row->state != QueueState::Waiting) return;
   const BatchFailure removed{.cancelled = true, .removed = true};
   // What was computed once, and only waits to be computed again, is what it was before.
-  const catalogue::Project& project = session_->project();
-  const Result<bool> as_before = catalogue::takeOutOfQueue(
+  const upkeep::Project& project = session_->project();
+  const Result<bool> as_before = intake::takeOutOfQueue(
       session_->project().catalogue(), number.toStdString(),
       project.resultsFolder(number.toStdString()), session_->provenance(wordsOf(removed)));
   if (!as_before) return stopFor(as_before.error());
@@ -395,7 +395,7 @@ void BatchQueue::settle(const QString& number) {
       makeJob(tr("Batch %1").arg(number),
               [project = session_->folder(), number = number.toStdString(),
                person = session_->initials().toStdString()](Progress&, std::stop_token) {
-                return catalogue::settleByResults(project, number, person);
+                return intake::settleByResults(project, number, person);
               }),
       session_);
   connect(job, &JobHandle::finished, session_, [job, session = session_, number] {
@@ -422,10 +422,10 @@ void BatchQueue::retry(const QString& number) {
   const QueueRow* row = find(number);
   if (session_ == nullptr || row == nullptr || row->state == QueueState::Shooting) return;
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Provenance provenance = session_->provenance(tr("again"));
+  const records::Provenance provenance = session_->provenance(tr("again"));
   const std::optional<BatchState> was = keptFailure(rows, number).was;
   Result<void> asked = was ? rows.setBatchState({row->batch_row}, *was, provenance)
-                           : catalogue::queueAgain(rows, number.toStdString(), provenance);
+                           : intake::queueAgain(rows, number.toStdString(), provenance);
   if (asked) asked = forgetFailure(rows, number);
   if (!asked) stopFor(asked.error());
   session_->tellBatchChanged(number);

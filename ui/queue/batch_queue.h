@@ -9,7 +9,7 @@
 #include "ui/jobs/job.h"
 #include "ui/queue/compute_batch.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 struct BatchRecord;
 }
 
@@ -112,7 +112,7 @@ class BatchQueue final : public QAbstractListModel {
   void left();
 
  private:
-  QueueRow rowFrom(const catalogue::BatchRecord& batch, const QueueRow* before) const;
+  QueueRow rowFrom(const records::BatchRecord& batch, const QueueRow* before) const;
   void startNext();
   void makeWayForADraft();
   QueueRow* nextToCompute();

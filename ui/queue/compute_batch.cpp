@@ -18,7 +18,7 @@ namespace ostraka::ui {
 namespace {
 
 namespace fs = std::filesystem;
-using catalogue::BatchState;
+using records::BatchState;
 
 // Before a batch of this project was computed: 54 photographs of 8 MB and as much again for masks,
 // depth and models.
@@ -55,12 +55,12 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
   if (options.draft) process.megapixels = pipeline::kDraftMegapixels;
   if (fs::exists(batch / "rig.json")) process.rig = batch / "rig.json";
   const Result<pipeline::ProcessSummary> done =
-      pipeline::holdsScans(batch) ? pipeline::processScans(process, progress, stop)
-                                  : pipeline::processBatch(process, progress, stop);
+      decisions::holdsScans(batch) ? pipeline::processScans(process, progress, stop)
+                                   : pipeline::processBatch(process, progress, stop);
   if (!done) return done.error();
   BatchFigures figures;
   if (process.rig)
-    if (const auto moved = pipeline::movedCameras(output)) figures.moved = *moved;
+    if (const auto moved = checks::movedCameras(output)) figures.moved = *moved;
   figures.draft = done->draft;
   figures.sherds = static_cast<int>(done->sherds.size());
   figures.ask = done->ambiguous();
@@ -68,14 +68,14 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
     figures.decided += sherd.decided_by.empty() ? 0 : 1;
   figures.sure = figures.sherds - figures.ask - figures.decided;
   // As the review counts: pieces that found no partner want a person too.
-  if (const auto review = pipeline::loadReview(output)) {
-    const auto count = [&](pipeline::CardState state) {
+  if (const auto review = review::loadReview(output)) {
+    const auto count = [&](review::CardState state) {
       return static_cast<int>(
           std::count_if(review->cards.begin(), review->cards.end(),
-                        [&](const pipeline::ReviewCard& card) { return card.state == state; }));
+                        [&](const review::ReviewCard& card) { return card.state == state; }));
     };
-    figures.sure = count(pipeline::CardState::Sure);
-    figures.decided = count(pipeline::CardState::Decided);
+    figures.sure = count(review::CardState::Sure);
+    figures.decided = count(review::CardState::Decided);
     figures.ask = review->waiting();
     figures.reshoot = review->toReshoot();
   }
@@ -100,11 +100,11 @@ Result<void> hasSpace(const fs::path& project) {
 }
 
 // As many as lay on the plate, though some found no partner.
-int piecesOf(const catalogue::Catalogue& rows, catalogue::BatchRow batch) {
+int piecesOf(const catalogue::Catalogue& rows, store::BatchRow batch) {
   const auto scans = rows.scans(batch);
   int found[2] = {0, 0};
   if (scans)
-    for (const catalogue::ScanRecord& scan : *scans)
+    for (const records::ScanRecord& scan : *scans)
       if (scan.isThere()) ++found[scan.side == batch::Side::Front ? 0 : 1];
   return std::max(found[0], found[1]);
 }
@@ -128,17 +128,17 @@ QString leftWords(const catalogue::Catalogue& rows, const std::string& number) {
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
                                   std::stop_token stop) {
   if (const Result<void> space = hasSpace(options.project); !space) return space.error();
-  Result<catalogue::Project> project = catalogue::Project::open(options.project);
+  Result<upkeep::Project> project = upkeep::Project::open(options.project);
   if (!project) return project.error();
   catalogue::Catalogue& rows = project->catalogue();
-  const Result<catalogue::BatchRecord> record = rows.batchByNumber(options.number);
+  const Result<records::BatchRecord> record = rows.batchByNumber(options.number);
   if (!record) return record.error();
   const fs::path batch = project->batchFolder(options.number);
   const fs::path output = project->resultsFolder(options.number);
 
-  if (const Result<void> begun = catalogue::beginComputing(rows, options.number); !begun)
+  if (const Result<void> begun = intake::beginComputing(rows, options.number); !begun)
     return begun.error();
-  const bool scans = pipeline::holdsScans(batch);
+  const bool scans = decisions::holdsScans(batch);
   Result<BatchFigures> figures = computed(options, batch, output, progress, stop);
   if (!figures) return figures.error();
 
@@ -146,28 +146,28 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   if (figures->ask > 0) {
     progress.begin("candidates", 0.02);
     const Result<void> prepared =
-        pipeline::prepareCandidates(output, kWantedCandidates, progress, stop);
+        review::prepareCandidates(output, kWantedCandidates, progress, stop);
     if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
     if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
   }
   // Since it began a side may be photographed again.
-  const Result<catalogue::BatchRecord> now = rows.batch(record->row);
+  const Result<records::BatchRecord> now = rows.batch(record->row);
   if (!now) return now.error();
-  if (now->state <= catalogue::BatchState::Back && now->state != record->state)
+  if (now->state <= records::BatchState::Back && now->state != record->state)
     return Error::cancelled();
-  const catalogue::Provenance provenance{{}, "process", {}};
+  const records::Provenance provenance{{}, "process", {}};
   progress.begin("catalogue", 0.01);
   if (const auto set = rows.setBatchState(record->row, BatchState::Computed, provenance); !set)
     return set.error();
   if (!scans)
-    if (const auto entered = catalogue::enterPhotographs(rows, project->folder(), record->row,
-                                                         provenance, progress, stop);
+    if (const auto entered = intake::enterPhotographs(rows, project->folder(), record->row,
+                                                      provenance, progress, stop);
         !entered)
       return entered.error();
-  const Result<catalogue::EnteredResults> entered = catalogue::enterResults(
+  const Result<intake::EnteredResults> entered = intake::enterResults(
       rows, project->folder(), record->row, output, provenance, progress, stop);
   if (!entered) return entered.error();
-  const Result<bool> again = catalogue::queueIfAsked(rows, options.number, provenance);
+  const Result<bool> again = intake::queueIfAsked(rows, options.number, provenance);
   if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
   for (const std::string& number : entered->numbers_left)
     progress.note(NoteLevel::Warning, leftWords(rows, number).toStdString());
@@ -200,7 +200,7 @@ double bytesPerBatch(const fs::path& project) {
   std::error_code error;
   for (fs::directory_iterator at(project / "batches", error), end; !error && at != end;
        at.increment(error))
-    if (fs::exists(at->path() / "back") && !pipeline::holdsScans(at->path()))
+    if (fs::exists(at->path() / "back") && !decisions::holdsScans(at->path()))
       batches.push_back(at->path());  // whole, and photographed
   std::sort(batches.begin(), batches.end(), std::greater<>());
   batches.resize(std::min(batches.size(), kNewestBatches));

@@ -31,7 +31,7 @@ struct BatchFigures {
   bool draft = false;
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
   /// Cameras that no longer stand where the known rig has them: it is to be calibrated again.
-  std::vector<pipeline::MovedCamera> moved{};
+  std::vector<checks::MovedCamera> moved{};
   /// Sherds that were photographed again and are of another size now.
   std::vector<catalogue::UnlikeBefore> unlike{};
   std::vector<std::string> numbers_left{};  ///< typed on the plate; none of its sherds has them

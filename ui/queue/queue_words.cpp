@@ -79,7 +79,7 @@ QString figuresWords(const BatchFigures& figures) {
 
 QString movedWords(const BatchFigures& figures) {
   QStringList sentences;
-  for (const pipeline::MovedCamera& camera : figures.moved)
+  for (const checks::MovedCamera& camera : figures.moved)
     sentences << BatchQueue::tr(
                      "Camera %1 was bumped: it misses the markers by %2 px, %3 mm from where it "
                      "was calibrated.")

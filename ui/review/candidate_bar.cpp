@@ -68,8 +68,8 @@ void CandidateBar::rebuild() {
 
 // Of the one in hand what is shown, of the others what the program found.
 void CandidateBar::write(int i) {
-  const pipeline::ReviewCandidate& c = model_.candidates()[static_cast<std::size_t>(i)];
-  const pipeline::CandidateTable& table = model_.live()->table();
+  const review::ReviewCandidate& c = model_.candidates()[static_cast<std::size_t>(i)];
+  const decisions::CandidateTable& table = model_.live()->table();
   const bool tried = i == model_.chosen() && model_.trial().made != Made::Program;
   const double fracture = !tried                ? c.fracture_rms_mm
                           : model_.isMeasured() ? model_.fit().fracture_rms_mm
@@ -110,7 +110,7 @@ void CandidateBar::fillOthers() {
   QMenu* menu = others_->menu();
   menu->clear();
   if (!model_.isOpen()) return;
-  const pipeline::CandidateTable& table = model_.live()->table();
+  const decisions::CandidateTable& table = model_.live()->table();
   for (int b = 0; b < static_cast<int>(table.backs.size()); ++b) {
     const int holder = model_.holderOf(b);
     const QString name = nameOf(table.backs, b);

@@ -65,7 +65,7 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setRenderHint(QPainter::Antialiasing);
   const QFontMetrics metrics(option.font);
   const StateColours colours(option.palette);
-  const auto state = static_cast<pipeline::CardState>(index.data(CardRole::State).toInt());
+  const auto state = static_cast<review::CardState>(index.data(CardRole::State).toInt());
   const bool waits = index.data(CardRole::Waits).toBool();
   const State colour = waits ? State::Waiting : stateColour(state);
   const bool chosen = option.state.testFlag(QStyle::State_Selected);

@@ -34,7 +34,7 @@ OutlinePlot::OutlinePlot(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(fontMetrics().height() * 5);
 }
 
-void OutlinePlot::setView(const pipeline::PairView& view) {
+void OutlinePlot::setView(const review::PairView& view) {
   view_ = view;
   view_.front = view_.back = {};  // the pictures are not drawn here
   setAccessibleDescription(tr("The turning angles differ by %1 rad.")

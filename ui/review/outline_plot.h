@@ -12,7 +12,7 @@ class OutlinePlot final : public QWidget {
 
  public:
   explicit OutlinePlot(QWidget* parent = nullptr);
-  void setView(const pipeline::PairView& view);
+  void setView(const review::PairView& view);
   void clear();
 
  protected:
@@ -23,7 +23,7 @@ class OutlinePlot final : public QWidget {
   void paintTurns(QPainter& painter, const QRectF& where) const;
   QPen penOf(bool front) const;
 
-  pipeline::PairView view_;
+  review::PairView view_;
 };
 
 }  // namespace ostraka::ui

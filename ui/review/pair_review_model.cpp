@@ -12,10 +12,10 @@ namespace ostraka::ui {
 namespace {
 
 using batch::Side;
-using pipeline::CardState;
-using pipeline::DecisionKind;
-using pipeline::PairDecision;
-using pipeline::ReviewCandidate;
+using decisions::DecisionKind;
+using decisions::PairDecision;
+using review::CardState;
+using review::ReviewCandidate;
 
 }  // namespace
 
@@ -35,9 +35,9 @@ void PairReviewModel::open(OpenedBatch batch) {
   trial_ = {};
   review_ = program_ = {};
   rows_.clear();
-  if (const auto alone = pipeline::reviewOf(live_->table(), {})) program_ = *alone;
-  if (const Result<pipeline::Review> review =
-          pipeline::reviewOf(live_->table(), pipeline::standing(decisions_)))
+  if (const auto alone = review::reviewOf(live_->table(), {})) program_ = *alone;
+  if (const Result<review::Review> review =
+          review::reviewOf(live_->table(), decisions::standing(decisions_)))
     review_ = *review;
   else
     emit failed(sentenceOf(review.error()));
@@ -101,7 +101,7 @@ QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
   const ReviewRow& row = at(index.row());
   const auto words = [&] {
     if (const QString change = pieceSentence(row); !change.isEmpty()) return change;
-    const pipeline::ReviewCard* of = review_.ofFront(row.front);
+    const review::ReviewCard* of = review_.ofFront(row.front);
     return of == nullptr ? loneBackSentence(row) : doubtSentence(*of, live_->table(), storyOf(*of));
   };
   const auto picture = [this](Side side, int scan) {
@@ -160,7 +160,7 @@ int PairReviewModel::rowInHand() const {
   return trial_.front >= 0 ? rowOf(trial_.front) : rowOfLoneBack(trial_.back);
 }
 
-const pipeline::ReviewCard* PairReviewModel::card() const {
+const review::ReviewCard* PairReviewModel::card() const {
   return review_.ofFront(trial_.front);
 }
 
@@ -219,13 +219,13 @@ QString PairReviewModel::whyNotAccept() const {
 }
 
 int PairReviewModel::holderOf(int back) const {
-  const pipeline::ReviewCard* holder = review_.ofBack(back);
+  const review::ReviewCard* holder = review_.ofBack(back);
   return holder == nullptr ? -1 : holder->front;
 }
 
 bool PairReviewModel::wantsComputing() const {
   return live_ &&
-         !pipeline::onlyConfirm(live_->table(), pipeline::changedSince(decisions_, followed_));
+         !review::onlyConfirm(live_->table(), decisions::changedSince(decisions_, followed_));
 }
 
 void PairReviewModel::selectRow(int row) {
@@ -245,14 +245,14 @@ void PairReviewModel::previous() {
 }
 
 void PairReviewModel::select(int front) {
-  const pipeline::ReviewCard* chosen_card = review_.ofFront(front);
+  const review::ReviewCard* chosen_card = review_.ofFront(front);
   if (chosen_card == nullptr) return;
   hold(standing(*chosen_card));
 }
 
-void PairReviewModel::show(const pipeline::ScanRef& scan, const Trial& tried) {
+void PairReviewModel::show(const decisions::ScanRef& scan, const Trial& tried) {
   const bool front = scan.side == Side::Front;
-  const int at = pipeline::resolved(scan, front ? live_->table().fronts : live_->table().backs);
+  const int at = decisions::resolved(scan, front ? live_->table().fronts : live_->table().backs);
   const int row = front ? rowOf(at) : std::max(rowOfLoneBack(at), rowOf(holderOf(at)));
   if (row >= 0 && tried.back >= 0 && this->at(row).isAbout(tried.front, tried.back))
     return hold(tried);
@@ -276,7 +276,7 @@ void PairReviewModel::takeCandidates() {
 
 std::vector<ReviewCandidate> PairReviewModel::candidatesOf(int front) const {
   std::vector<ReviewCandidate> all;
-  if (const pipeline::ReviewCard* of = review_.ofFront(front)) all = of->candidates;
+  if (const review::ReviewCard* of = review_.ofFront(front)) all = of->candidates;
   const auto more = more_.find(front);
   if (more == more_.end()) return all;
   for (const ReviewCandidate& c : more->second) {
@@ -346,16 +346,17 @@ PairDecision PairReviewModel::about(DecisionKind kind) const {
   return decision;
 }
 
-pipeline::ScanRef PairReviewModel::frontRef(int i) const {
+decisions::ScanRef PairReviewModel::frontRef(int i) const {
   return live_->table().fronts.at(static_cast<std::size_t>(i));
 }
 
-pipeline::ScanRef PairReviewModel::backRef(int i) const {
+decisions::ScanRef PairReviewModel::backRef(int i) const {
   return live_->table().backs.at(static_cast<std::size_t>(i));
 }
 
 QString PairReviewModel::inHand() const {
-  const pipeline::ScanRef& scan = trial_.front >= 0 ? frontRef(trial_.front) : backRef(trial_.back);
+  const decisions::ScanRef& scan =
+      trial_.front >= 0 ? frontRef(trial_.front) : backRef(trial_.back);
   return nameOf(scan);
 }
 
@@ -369,9 +370,9 @@ void PairReviewModel::accept() {
   decision.scans.push_back(backRef(trial_.back));
   decision.front_from_back = trial_.front_from_back;
   decision.settle =
-      trial_.made == Made::ByHand ? pipeline::Settle::AsGiven : pipeline::Settle::ByFractures;
+      trial_.made == Made::ByHand ? decisions::Settle::AsGiven : decisions::Settle::ByFractures;
   const QString front = inHand(), back = nameOf(backRef(trial_.back));
-  const pipeline::LiveFit fit = isMeasured() ? fit_ : pipeline::LiveFit{.fracture_overlap = 1};
+  const review::LiveFit fit = isMeasured() ? fit_ : review::LiveFit{.fracture_overlap = 1};
   const std::size_t before = decisions_.size();
   decide(decision, tr("pair %1 – %2").arg(front, back));
   if (decisions_.size() > before && fit.hardlyMeets())
@@ -394,7 +395,7 @@ void PairReviewModel::reshoot() {
 
 void PairReviewModel::giveBack(int front, int back) {
   if (!live_ || front < 0 || back < 0 || !personIsKnown()) return;
-  const pipeline::RegisteredCandidate* known = live_->table().find(front, back);
+  const decisions::RegisteredCandidate* known = live_->table().find(front, back);
   if (known == nullptr) {  // how they fit is to be seen first
     select(front);
     return chooseBack(back);
@@ -427,11 +428,11 @@ void PairReviewModel::split(Side side, const Eigen::Vector2d& a_mm, const Eigen:
   PairDecision decision = about(DecisionKind::Split);
   decision.cut_mm = {a_mm, b_mm};
   if (side == Side::Back) {
-    const pipeline::ScanRef back = backRef(trial_.back);
+    const decisions::ScanRef back = backRef(trial_.back);
     decision.scans = {back};
     for (Eigen::Vector2d& p : decision.cut_mm)
       if (trial_.front >= 0)  // a back alone is shown as it lies on its own plate
-        p = pipeline::onBackPlate(trial_.front_from_back, back, p);
+        p = review::onBackPlate(trial_.front_from_back, back, p);
   }
   decide(decision, tr("splitting %1").arg(nameOf(decision.scans[0])));
 }
@@ -451,7 +452,7 @@ void PairReviewModel::decide(PairDecision decision, const QString& text) {
 }
 
 Result<void> PairReviewModel::write(const std::filesystem::path& output, PairDecision& decision) {
-  const Result<PairDecision> written = pipeline::appendDecision(output, decision);
+  const Result<PairDecision> written = decisions::appendDecision(output, decision);
   if (!written) {
     emit failed(sentenceOf(written.error()));
     return written.error();
@@ -466,8 +467,8 @@ Result<void> PairReviewModel::write(const std::filesystem::path& output, PairDec
 }
 
 void PairReviewModel::redoReview() {
-  const Result<pipeline::Review> review =
-      pipeline::reviewOf(live_->table(), pipeline::standing(decisions_));
+  const Result<review::Review> review =
+      review::reviewOf(live_->table(), decisions::standing(decisions_));
   if (!review) return emit failed(sentenceOf(review.error()));
   std::vector<ReviewRow> rows = rowsOf(*review);
   markPieces(rows, live_->table(), decisions_, followed_);

@@ -34,7 +34,7 @@ class PairReviewModel final : public QAbstractListModel {
   void setPerson(const QString& initials);
   const QString& person() const { return person_; }
   const LivePairsPtr& live() const { return live_; }
-  const pipeline::Review& review() const { return review_; }
+  const review::Review& review() const { return review_; }
 
   // cards
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -46,11 +46,11 @@ class PairReviewModel final : public QAbstractListModel {
 
   // the card in hand
   int front() const { return trial_.front; }
-  const pipeline::ReviewCard* card() const;
-  const std::vector<pipeline::ReviewCandidate>& candidates() const { return candidates_; }
+  const review::ReviewCard* card() const;
+  const std::vector<review::ReviewCandidate>& candidates() const { return candidates_; }
   int chosen() const;  ///< index among the candidates; -1: none of them
   const Trial& trial() const { return trial_; }
-  const pipeline::LiveFit& fit() const { return fit_; }
+  const review::LiveFit& fit() const { return fit_; }
   bool isMeasured() const;  ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
   const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
@@ -96,7 +96,7 @@ class PairReviewModel final : public QAbstractListModel {
   void busyChanged(bool busy);
   void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);  ///< null: none
   /// Is on disk. Taken back or done again, it may be another batch's than the one that is shown.
-  void decided(const std::filesystem::path& output, const ostraka::pipeline::PairDecision& taken);
+  void decided(const std::filesystem::path& output, const ostraka::decisions::PairDecision& taken);
   void failed(const QString& sentence);
   void personWanted();  ///< a decision was refused, for nobody has said who decides
   void waitingChanged();
@@ -104,27 +104,27 @@ class PairReviewModel final : public QAbstractListModel {
  private:
   friend class DecideCommand;
   friend class TryCommand;
-  Result<void> write(const std::filesystem::path& output, pipeline::PairDecision& decision);
+  Result<void> write(const std::filesystem::path& output, decisions::PairDecision& decision);
   void showTrial(const Trial& trial);
-  void decide(pipeline::PairDecision decision, const QString& text);
+  void decide(decisions::PairDecision decision, const QString& text);
   void tryOut(const Trial& trial, const QString& text, bool merge = false);
   void redoReview();
   void dropJobs();
   void takeCandidates();
-  void hold(const Trial& trial);                                 ///< another card
-  void show(const pipeline::ScanRef& scan, const Trial& tried);  ///< as tried, if it is of its row
+  void hold(const Trial& trial);                                  ///< another card
+  void show(const decisions::ScanRef& scan, const Trial& tried);  ///< as tried, if it is of its row
   const ReviewRow& at(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
   void fetchScene(Clouds clouds);
   void fetchMore();
   bool wantsMore(int front) const;
-  Trial standing(const pipeline::ReviewCard& card) const;  ///< what is shown of it at first
-  CardStory storyOf(const pipeline::ReviewCard& card) const;
-  std::vector<pipeline::ReviewCandidate> candidatesOf(int front) const;
-  void fitAt(std::function<Result<pipeline::LiveFit>(Progress&, std::stop_token)> work, Made made,
+  Trial standing(const review::ReviewCard& card) const;  ///< what is shown of it at first
+  CardStory storyOf(const review::ReviewCard& card) const;
+  std::vector<review::ReviewCandidate> candidatesOf(int front) const;
+  void fitAt(std::function<Result<review::LiveFit>(Progress&, std::stop_token)> work, Made made,
              const QString& text);
-  pipeline::PairDecision about(pipeline::DecisionKind kind) const;
-  pipeline::ScanRef frontRef(int i) const;
-  pipeline::ScanRef backRef(int i) const;
+  decisions::PairDecision about(decisions::DecisionKind kind) const;
+  decisions::ScanRef frontRef(int i) const;
+  decisions::ScanRef backRef(int i) const;
   QString inHand() const;
   bool personIsKnown();
 
@@ -132,16 +132,16 @@ class PairReviewModel final : public QAbstractListModel {
   QUndoStack& undo_;
   QString person_;
   LivePairsPtr live_;
-  pipeline::Decisions decisions_, followed_;  ///< all, and those that the results follow
-  pipeline::Review review_, program_;         ///< as things stand, and without any decision
+  decisions::Decisions decisions_, followed_;  ///< all, and those that the results follow
+  review::Review review_, program_;            ///< as things stand, and without any decision
   std::vector<ReviewRow> rows_;
   QHash<int, QString> numbers_;
   ScanPictures thumbnails_;
-  std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand
+  std::map<int, std::vector<review::ReviewCandidate>> more_;  ///< by front, compared on demand
   std::set<int> asked_;  ///< fronts for which there are no more
-  std::vector<pipeline::ReviewCandidate> candidates_;
+  std::vector<review::ReviewCandidate> candidates_;
   Trial trial_;
-  pipeline::LiveFit fit_;
+  review::LiveFit fit_;
   std::vector<double> settling_rms_;
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;

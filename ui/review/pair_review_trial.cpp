@@ -8,17 +8,17 @@
 namespace ostraka::ui {
 namespace {
 
-using pipeline::ReviewCandidate;
+using review::ReviewCandidate;
 using ScenePtr = std::shared_ptr<const PairScene>;
 
 constexpr int kWantedCandidates = 3;
 
 // Settles the back from a pose; whoever looks on sees it come.
-Result<pipeline::LiveFit> settledInSight(const LivePairsPtr& live, int front, int back,
-                                         const Eigen::Isometry3d& from, Progress& progress,
-                                         std::stop_token stop) {
+Result<review::LiveFit> settledInSight(const LivePairsPtr& live, int front, int back,
+                                       const Eigen::Isometry3d& from, Progress& progress,
+                                       std::stop_token stop) {
   return live->settled(front, back, from, std::move(stop),
-                       [&progress](const pipeline::LiveFit& fit) { tell(progress, fit); });
+                       [&progress](const review::LiveFit& fit) { tell(progress, fit); });
 }
 
 }  // namespace
@@ -37,10 +37,10 @@ void PairReviewModel::stepStart(int by) {
   const int front = trial_.front, back = trial_.back;
   fitAt(
       [live = live_, front, back, to](Progress& progress,
-                                      std::stop_token stop) -> Result<pipeline::LiveFit> {
-        const Result<pipeline::LiveFit> start = live->atStartPoint(front, back, to);
+                                      std::stop_token stop) -> Result<review::LiveFit> {
+        const Result<review::LiveFit> start = live->atStartPoint(front, back, to);
         if (!start) return start;
-        Result<pipeline::LiveFit> fit =
+        Result<review::LiveFit> fit =
             settledInSight(live, front, back, start->front_from_back, progress, stop);
         if (fit) fit->shift = to;
         return fit;
@@ -60,8 +60,8 @@ void PairReviewModel::settle() {
   if (trial_.front < 0 || trial_.back < 0) return;
   const Trial from = trial_;
   fitAt(
-      [live = live_, from](Progress& progress, std::stop_token stop) -> Result<pipeline::LiveFit> {
-        Result<pipeline::LiveFit> fit =
+      [live = live_, from](Progress& progress, std::stop_token stop) -> Result<review::LiveFit> {
+        Result<review::LiveFit> fit =
             settledInSight(live, from.front, from.back, from.front_from_back, progress, stop);
         if (fit) fit->shift = from.shift;
         return fit;
@@ -73,7 +73,7 @@ void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::V
   if (trial_.front < 0 || trial_.back < 0) return;
   Trial trial = trial_;
   trial.front_from_back =
-      pipeline::movedByHand(trial_.front_from_back, backRef(trial_.back), turn_rad, move_mm);
+      review::movedByHand(trial_.front_from_back, backRef(trial_.back), turn_rad, move_mm);
   trial.made = Made::ByHand;
   tryOut(trial, tr("turning by hand"), true);
 }
@@ -82,9 +82,8 @@ void PairReviewModel::stopSettling() {
   if (fit_job_) fit_job_->cancel();
 }
 
-void PairReviewModel::fitAt(
-    std::function<Result<pipeline::LiveFit>(Progress&, std::stop_token)> work, Made made,
-    const QString& text) {
+void PairReviewModel::fitAt(std::function<Result<review::LiveFit>(Progress&, std::stop_token)> work,
+                            Made made, const QString& text) {
   if (!live_ || trial_.front < 0) return;
   if (fit_job_) fit_job_->drop();  // its result is not wanted any more
   busy_ = true;
@@ -94,7 +93,7 @@ void PairReviewModel::fitAt(
   fit_job_ = runner_.start(makeJob(text, std::move(work)), this);
   connect(fit_job_, &JobHandle::told, this, [this, from](const std::any& value) {
     if (from.front != trial_.front || from.back != trial_.back) return;
-    const auto& fit = std::any_cast<const pipeline::LiveFit&>(value);
+    const auto& fit = std::any_cast<const review::LiveFit&>(value);
     settling_rms_.push_back(fit.fracture_rms_mm);
     emit settlingAt(fit.front_from_back);
   });
@@ -102,7 +101,7 @@ void PairReviewModel::fitAt(
           [this, from, made, text](const JobOutcome& outcome) {
             busy_ = false;
             emit busyChanged(false);
-            const auto fit = outcomeAs<pipeline::LiveFit>(outcome);
+            const auto fit = outcomeAs<review::LiveFit>(outcome);
             if (!fit) emit trialChanged();  // back to where it was
             if (!fit && fit.error().code == ErrorCode::Cancelled)
               return emit failed(tr("Cancelled. The back stays where it was."));
@@ -204,7 +203,7 @@ void PairReviewModel::fetchMore() {
   });
 }
 
-Trial PairReviewModel::standing(const pipeline::ReviewCard& card) const {
+Trial PairReviewModel::standing(const review::ReviewCard& card) const {
   Trial trial;
   trial.front = card.front;
   const CardStory story = storyOf(card);
@@ -212,23 +211,23 @@ Trial PairReviewModel::standing(const pipeline::ReviewCard& card) const {
     trial.back = card.back;
     trial.front_from_back = card.front_from_back;
     if (story.by_hand) trial.made = Made::ByHand;
-  } else if (story.next && card.state == pipeline::CardState::Alone) {
+  } else if (story.next && card.state == review::CardState::Alone) {
     trial.back = story.next->back;
     trial.front_from_back = story.next->front_from_back;
   }
   return trial;
 }
 
-CardStory PairReviewModel::storyOf(const pipeline::ReviewCard& card) const {
+CardStory PairReviewModel::storyOf(const review::ReviewCard& card) const {
   CardStory story;
-  for (const pipeline::PairDecision& d : decisions_)
-    if (d.number == card.decision && d.kind == pipeline::DecisionKind::Pair)
-      story.by_hand = d.settle == pipeline::Settle::AsGiven;
-  const pipeline::ReviewCard* own = program_.ofFront(card.front);
+  for (const decisions::PairDecision& d : decisions_)
+    if (d.number == card.decision && d.kind == decisions::DecisionKind::Pair)
+      story.by_hand = d.settle == decisions::Settle::AsGiven;
+  const review::ReviewCard* own = program_.ofFront(card.front);
   const int lost = own == nullptr ? -1 : own->back;
-  const pipeline::ReviewCard* holder = review_.ofBack(lost);
+  const review::ReviewCard* holder = review_.ofBack(lost);
   if (holder != nullptr && holder->front != card.front &&
-      holder->state == pipeline::CardState::Decided) {
+      holder->state == review::CardState::Decided) {
     story.lost_back = lost;
     story.lost_to = holder->front;
   }
@@ -239,10 +238,10 @@ CardStory PairReviewModel::storyOf(const pipeline::ReviewCard& card) const {
 }
 
 bool PairReviewModel::wantsMore(int front) const {
-  const pipeline::ReviewCard* card = review_.ofFront(front);
+  const review::ReviewCard* card = review_.ofFront(front);
   if (card == nullptr || asked_.contains(front)) return false;
   const bool doubtful =
-      card->state == pipeline::CardState::Ask || card->state == pipeline::CardState::Alone;
+      card->state == review::CardState::Ask || card->state == review::CardState::Alone;
   return (doubtful || front == trial_.front) &&
          static_cast<int>(candidatesOf(front).size()) < kWantedCandidates;
 }

@@ -25,7 +25,7 @@ PicturePair::PicturePair(QWidget* parent) : QWidget(parent) {
 }
 
 void PicturePair::setPictures(const QImage& front, const QImage& back,
-                              const pipeline::PictureFrame& frame) {
+                              const review::PictureFrame& frame) {
   front_ = front;
   back_ = back;
   frame_ = frame;

@@ -18,7 +18,7 @@ class PicturePair final : public QWidget {
  public:
   explicit PicturePair(QWidget* parent = nullptr);
   /// back: as seen through the front; a back without a front as one sees it.
-  void setPictures(const QImage& front, const QImage& back, const pipeline::PictureFrame& frame);
+  void setPictures(const QImage& front, const QImage& back, const review::PictureFrame& frame);
   void setNames(const QString& front, const QString& back);
   bool isMirrored() const { return mirrored_; }
   bool isCutting() const { return cutting_; }
@@ -57,7 +57,7 @@ class PicturePair final : public QWidget {
 
   QImage front_, back_;
   QString front_name_, back_name_;
-  pipeline::PictureFrame frame_;
+  review::PictureFrame frame_;
   QPointF from_, to_;
   bool mirrored_ = false, cutting_ = false, drawing_ = false, line_on_front_ = true;
   int line_steps_ = 0, line_turns_ = 0;

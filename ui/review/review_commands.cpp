@@ -2,7 +2,7 @@
 
 namespace ostraka::ui {
 
-DecideCommand::DecideCommand(PairReviewModel& model, pipeline::PairDecision decision,
+DecideCommand::DecideCommand(PairReviewModel& model, decisions::PairDecision decision,
                              const QString& text)
     : QUndoCommand(text),
       model_(&model),
@@ -19,7 +19,7 @@ std::string DecideCommand::person() const {
 void DecideCommand::redo() {
   if (!model_ || number_ != 0) return;
   decision_.by = person();
-  pipeline::PairDecision written = decision_;
+  decisions::PairDecision written = decision_;
   if (model_->write(output_, written))
     number_ = written.number;
   else
@@ -28,8 +28,8 @@ void DecideCommand::redo() {
 
 void DecideCommand::undo() {
   if (!model_ || number_ == 0) return;
-  pipeline::PairDecision withdrawal;
-  withdrawal.kind = pipeline::DecisionKind::Withdraw;
+  decisions::PairDecision withdrawal;
+  withdrawal.kind = decisions::DecisionKind::Withdraw;
   withdrawal.by = person();
   withdrawal.scans = decision_.scans;
   withdrawal.replaces = {number_};

@@ -10,7 +10,7 @@ namespace ostraka::ui {
 /// stand in the file of its batch, whichever is shown by then.
 class DecideCommand final : public QUndoCommand {
  public:
-  DecideCommand(PairReviewModel& model, pipeline::PairDecision decision, const QString& text);
+  DecideCommand(PairReviewModel& model, decisions::PairDecision decision, const QString& text);
   void redo() override;
   void undo() override;
 
@@ -18,10 +18,10 @@ class DecideCommand final : public QUndoCommand {
   std::string person() const;
 
   QPointer<PairReviewModel> model_;
-  pipeline::PairDecision decision_;
+  decisions::PairDecision decision_;
   std::filesystem::path output_;
   Trial before_;  ///< what was in hand
-  std::weak_ptr<const pipeline::LivePairs> live_;
+  std::weak_ptr<const review::LivePairs> live_;
   int number_ = 0;  ///< as it stands in the file; 0: withdrawn
 };
 
@@ -41,7 +41,7 @@ class TryCommand final : public QUndoCommand {
 
   QPointer<PairReviewModel> model_;
   Trial before_, after_;
-  std::weak_ptr<const pipeline::LivePairs> live_;
+  std::weak_ptr<const review::LivePairs> live_;
   bool merge_;
 };
 

@@ -28,7 +28,7 @@ namespace {
 
 constexpr double kFractureScale_mm = 0.5;  // twice a good fracture's RMS has the full colour
 
-ShownScan shownScan(const pipeline::ScanCloud& cloud) {
+ShownScan shownScan(const review::ScanCloud& cloud) {
   return {cloud.cloud, cloud.fracture};
 }
 
@@ -367,7 +367,7 @@ void ReviewPane::showFigures() {
 void ReviewPane::showScene(const PairScene& scene) {
   const auto& table = model_.live()->table();
   view_->setUnitKnown(table.has_scale);
-  const auto name = [](const std::vector<pipeline::ScanRef>& scans, int i) {
+  const auto name = [](const std::vector<decisions::ScanRef>& scans, int i) {
     return plainNumber(scans, i);
   };
   pictures_->setPictures(scene.front_picture, scene.back_picture, scene.view.frame);
@@ -399,7 +399,7 @@ void ReviewPane::measure(const Eigen::Vector3d& point) {
   measured_.push_back(point);
   measured_at_ = model_.trial().front_from_back;
   if (measured_.size() < 2) return view_->setMeasure(point, point, tr("… and the other end"));
-  const double length = pipeline::length_mm(measured_[0], measured_[1]);
+  const double length = review::length_mm(measured_[0], measured_[1]);
   view_->setMeasure(
       measured_[0], measured_[1],
       model_.live()->table().has_scale ? mm(length, 1) : QLocale().toString(length, 'f', 1));

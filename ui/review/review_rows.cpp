@@ -9,13 +9,13 @@
 namespace ostraka::ui {
 namespace {
 
-using pipeline::CardState;
+using review::CardState;
 
 }  // namespace
 
-std::vector<ReviewRow> rowsOf(const pipeline::Review& review) {
+std::vector<ReviewRow> rowsOf(const review::Review& review) {
   std::vector<ReviewRow> rows;
-  for (const pipeline::ReviewCard& card : review.cards)
+  for (const review::ReviewCard& card : review.cards)
     rows.push_back({card.front, card.back, card.state});
   const auto settled = std::find_if(rows.begin(), rows.end(),
                                     [](const ReviewRow& row) { return !row.wantsPerson(); });
@@ -27,9 +27,9 @@ std::vector<ReviewRow> rowsOf(const pipeline::Review& review) {
   return rows;
 }
 
-ReviewFigures figuresOf(const pipeline::Review& review) {
+ReviewFigures figuresOf(const review::Review& review) {
   ReviewFigures figures;
-  for (const pipeline::ReviewCard& card : review.cards) {
+  for (const review::ReviewCard& card : review.cards) {
     figures.sherds += card.back >= 0 ? 1 : 0;
     figures.sure += card.state == CardState::Sure ? 1 : 0;
     figures.decided += card.state == CardState::Decided ? 1 : 0;
@@ -39,24 +39,24 @@ ReviewFigures figuresOf(const pipeline::Review& review) {
   return figures;
 }
 
-QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table) {
+QString rowName(const ReviewRow& row, const decisions::CandidateTable& table) {
   const QString front = nameOf(table.fronts, row.front), back = nameOf(table.backs, row.back);
   if (row.isLoneBack()) return back;
   return row.back < 0 ? front : tr("%1 – %2").arg(front, back);
 }
 
-void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& table,
-                const pipeline::Decisions& all, const pipeline::Decisions& followed) {
-  for (const pipeline::PairDecision& d : pipeline::standing(all)) {
-    const bool join = d.kind == pipeline::DecisionKind::Join;
-    if (!join && d.kind != pipeline::DecisionKind::Split) continue;
-    if (pipeline::containedIn(followed, d)) continue;
+void markPieces(std::vector<ReviewRow>& rows, const decisions::CandidateTable& table,
+                const decisions::Decisions& all, const decisions::Decisions& followed) {
+  for (const decisions::PairDecision& d : decisions::standing(all)) {
+    const bool join = d.kind == decisions::DecisionKind::Join;
+    if (!join && d.kind != decisions::DecisionKind::Split) continue;
+    if (decisions::containedIn(followed, d)) continue;
     for (ReviewRow& row : rows) {
       bool here = false;
       QStringList others;
-      for (const pipeline::ScanRef& ref : d.scans) {
+      for (const decisions::ScanRef& ref : d.scans) {
         const bool front = ref.side == batch::Side::Front;
-        const int scan = pipeline::resolved(ref, front ? table.fronts : table.backs);
+        const int scan = decisions::resolved(ref, front ? table.fronts : table.backs);
         const bool mine = scan >= 0 && scan == (front ? row.front : row.back);
         here = here || mine;
         if (!mine) others << nameOf(ref);

@@ -12,13 +12,13 @@ enum class PieceChange { None, Joined, Cut };
 /// One row of the review's list: a front's card, or a back that no front holds.
 struct ReviewRow {
   int front = -1, back = -1;  ///< back: the front's partner, -1 when it has none
-  pipeline::CardState state = pipeline::CardState::Sure;
+  review::CardState state = review::CardState::Sure;
   PieceChange change = PieceChange::None;
   QString changed_by = {}, joined_with = {};  ///< a person; IDs of the other pieces
 
   bool isLoneBack() const { return front < 0; }
   bool wantsPerson() const {
-    return state == pipeline::CardState::Ask || state == pipeline::CardState::Alone;
+    return state == review::CardState::Ask || state == review::CardState::Alone;
   }
   /// Rows are the same row as long as they are about the same front, or about the same lone back.
   bool isAbout(int a_front, int a_back) const {
@@ -27,19 +27,19 @@ struct ReviewRow {
 };
 
 /// What wants a person first: doubtful fronts, then backs that are nobody's, then the rest.
-std::vector<ReviewRow> rowsOf(const pipeline::Review& review);
+std::vector<ReviewRow> rowsOf(const review::Review& review);
 
 /// Names the rows whose pieces were joined or cut since the pairs were computed.
-void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& table,
-                const pipeline::Decisions& all, const pipeline::Decisions& followed);
+void markPieces(std::vector<ReviewRow>& rows, const decisions::CandidateTable& table,
+                const decisions::Decisions& all, const decisions::Decisions& followed);
 
 /// How a batch stands in the review.
 struct ReviewFigures {
   int sherds = 0, sure = 0, decided = 0, ask = 0, reshoot = 0;
 };
-ReviewFigures figuresOf(const pipeline::Review& review);
+ReviewFigures figuresOf(const review::Review& review);
 
-QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table);
+QString rowName(const ReviewRow& row, const decisions::CandidateTable& table);
 QString rowWord(const ReviewRow& row);
 /// Whole sentence: why a lone back wants a person, or what was decided about it.
 QString loneBackSentence(const ReviewRow& row);

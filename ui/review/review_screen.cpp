@@ -268,26 +268,26 @@ void ReviewScreen::showOpened(const OpenedBatch& opened) {
 // The queue computes; this only says that the batch wants it.
 void ReviewScreen::compute() {
   if (!session_ || !session_->hasProject()) return;
-  const Result<void> queued = catalogue::queueAgain(session_->project().catalogue(),
-                                                    batch_.toStdString(), session_->provenance());
+  const Result<void> queued = intake::queueAgain(session_->project().catalogue(),
+                                                 batch_.toStdString(), session_->provenance());
   if (!queued) return say(sentenceOf(queued.error()));
   compute_->hide();
   say(tr("%1 is queued; only what changed is reprocessed.").arg(batch_));
   session_->tellBatchChanged(batch_);
 }
 
-void ReviewScreen::enter(const fs::path& output, const pipeline::PairDecision& decision) {
+void ReviewScreen::enter(const fs::path& output, const decisions::PairDecision& decision) {
   const QString batch = QString::fromStdString(output.filename().string());
   const bool shown = model_->shows(output);
   const QString edited = editedWords(batch, decision);
   const Result<void> entered = enterInto(output, batch, decision);
   if (!shown) openOutput(batch);  // so that one sees what was done there
-  const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
-                      decision.kind == pipeline::DecisionKind::Split;
+  const bool pieces = decision.kind == decisions::DecisionKind::Join ||
+                      decision.kind == decisions::DecisionKind::Split;
   say(!edited.isEmpty() ? edited
       : pieces          ? tr("Saved. Pairs of the new fragments appear after reprocessing.")
-      : decision.kind == pipeline::DecisionKind::Withdraw ? tr("Undone. The history keeps both.")
-                                                          : tr("Saved, with your name."));
+      : decision.kind == decisions::DecisionKind::Withdraw ? tr("Undone. The history keeps both.")
+                                                           : tr("Saved, with your name."));
   if (session_->hasProject()) {
     if (shown) {
       compute_->setVisible(model_->wantsComputing());
@@ -303,22 +303,21 @@ void ReviewScreen::enter(const fs::path& output, const pipeline::PairDecision& d
 
 // Before the batch is opened: what its file says and the catalogue does not would be entered there.
 Result<void> ReviewScreen::enterInto(const fs::path& output, const QString& batch,
-                                     const pipeline::PairDecision& decision) {
+                                     const decisions::PairDecision& decision) {
   if (!session_->hasProject()) return {};
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const Result<void> entered =
-      catalogue::enterDecision(rows, batch.toStdString(), decision, output);
-  if (!entered || decision.kind != pipeline::DecisionKind::Withdraw) return entered;
-  return catalogue::forgetPiecesOf(rows, batch.toStdString(), decision, output);
+  const Result<void> entered = intake::enterDecision(rows, batch.toStdString(), decision, output);
+  if (!entered || decision.kind != decisions::DecisionKind::Withdraw) return entered;
+  return intake::forgetPiecesOf(rows, batch.toStdString(), decision, output);
 }
 
 // One sherd would stand in the catalogue twice: with what was photographed again, and with this.
-void ReviewScreen::sayIfTwice(const QString& batch, const pipeline::PairDecision& decision) {
-  if (decision.kind != pipeline::DecisionKind::Pair &&
-      decision.kind != pipeline::DecisionKind::Withdraw)
+void ReviewScreen::sayIfTwice(const QString& batch, const decisions::PairDecision& decision) {
+  if (decision.kind != decisions::DecisionKind::Pair &&
+      decision.kind != decisions::DecisionKind::Withdraw)
     return;
-  const catalogue::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
-  for (const pipeline::ScanRef& scan : decision.scans)
+  const intake::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
+  for (const decisions::ScanRef& scan : decision.scans)
     if (const auto* again = scan.side == batch::Side::Front ? sherds.again(scan.place_mm) : nullptr;
         again && sherds.at(scan.place_mm))
       say(tr("%1 was reshot as %2 in %3 and now has two records. Void one of them in the "
@@ -328,18 +327,18 @@ void ReviewScreen::sayIfTwice(const QString& batch, const pipeline::PairDecision
 }
 
 // A number that loses its piece is said when it is done, not found later in the table.
-QString ReviewScreen::editedWords(const QString& batch, const pipeline::PairDecision& edit) const {
+QString ReviewScreen::editedWords(const QString& batch, const decisions::PairDecision& edit) const {
   if (!session_->hasProject()) return {};
-  const catalogue::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
-  if (edit.kind == pipeline::DecisionKind::Split) {
-    const pipeline::ScanRef& cut = edit.scans.front();
+  const intake::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
+  if (edit.kind == decisions::DecisionKind::Split) {
+    const decisions::ScanRef& cut = edit.scans.front();
     const auto* sherd = cut.side == batch::Side::Front ? sherds.at(cut.place_mm) : nullptr;
     if (sherd == nullptr || sherd->number.empty()) return {};
     return tr("Saved. After reprocessing, number %1 goes to the half that it was typed on, or else "
               "to the larger one. Undo merges them again.")
         .arg(QString::fromStdString(sherd->number));
   }
-  const catalogue::JoinedNumbers numbers = sherds.afterJoin(edit);
+  const intake::JoinedNumbers numbers = sherds.afterJoin(edit);
   if (numbers.left.empty()) return {};
   const QString left = QString::fromStdString(numbers.left);
   return numbers.kept.empty() ? tr("Saved. After reprocessing, the merged sherd has no number, and "
@@ -353,9 +352,9 @@ QString ReviewScreen::editedWords(const QString& batch, const pipeline::PairDeci
 // What the catalogue calls the sherds on the cards.
 void ReviewScreen::nameSherds() {
   if (!session_ || !session_->hasProject() || model_ == nullptr || !model_->isOpen()) return;
-  const catalogue::PlateSherds sherds(session_->project().catalogue(), batch_.toStdString());
+  const intake::PlateSherds sherds(session_->project().catalogue(), batch_.toStdString());
   QHash<int, QString> numbers;
-  const std::vector<pipeline::ScanRef>& fronts = model_->live()->table().fronts;
+  const std::vector<decisions::ScanRef>& fronts = model_->live()->table().fronts;
   for (std::size_t i = 0; i < fronts.size(); ++i)
     if (const auto* sherd = sherds.at(fronts[i].place_mm); sherd && !sherd->number.empty())
       numbers.insert(static_cast<int>(i), QString::fromStdString(sherd->number));
@@ -379,10 +378,10 @@ void ReviewScreen::settle(const QString& batch, const std::string& person,
   figures.reshoot = standing.figures.reshoot;
   const Result<void> kept = keepFigures(rows, batch, figures);
   const bool masks =
-      pipeline::masksWantComputing(session_->project().resultsFolder(batch.toStdString()));
+      decisions::masksWantComputing(session_->project().resultsFolder(batch.toStdString()));
   const Result<void> done =
-      catalogue::settleBatch(rows, batch.toStdString(), person,
-                             standing.figures.ask == 0 && !standing.wants_computing && !masks);
+      intake::settleBatch(rows, batch.toStdString(), person,
+                          standing.figures.ask == 0 && !standing.wants_computing && !masks);
   for (const Result<void>* told : {&kept, &done})
     if (!*told) say(sentenceOf(told->error()));
   if (!standing.wants_computing) restoreModels(batch);
@@ -395,7 +394,7 @@ void ReviewScreen::restoreModels(const QString& batch) {
       makeJob(tr("Models of %1").arg(batch),
               [folder = session_->folder(), number = batch.toStdString()](
                   Progress& progress, std::stop_token stop) -> Result<bool> {
-                return catalogue::enterLostModels(folder, number, progress, stop);
+                return intake::enterLostModels(folder, number, progress, stop);
               }),
       this);
   connect(job, &JobHandle::finished, this,
@@ -473,9 +472,9 @@ void ReviewScreen::countElsewhere() {
   if (session_ && session_->hasProject()) {
     const catalogue::Catalogue& rows = session_->project().catalogue();
     if (const auto batches = rows.batches())
-      for (const catalogue::BatchRecord& batch : *batches) {
+      for (const records::BatchRecord& batch : *batches) {
         const QString number = QString::fromStdString(batch.number);
-        if (batch.state != catalogue::BatchState::Review || number == batch_) continue;
+        if (batch.state != records::BatchState::Review || number == batch_) continue;
         if (const auto figures = keptFigures(rows, number)) elsewhere_ += figures->ask;
       }
   }

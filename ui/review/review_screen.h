@@ -57,9 +57,9 @@ class ReviewScreen final : public Screen {
   void openOutput(const QString& batch);
   void showOpened(const OpenedBatch& opened);
   void compute();
-  void enter(const std::filesystem::path& output, const pipeline::PairDecision& decision);
+  void enter(const std::filesystem::path& output, const decisions::PairDecision& decision);
   Result<void> enterInto(const std::filesystem::path& output, const QString& batch,
-                         const pipeline::PairDecision& decision);
+                         const decisions::PairDecision& decision);
   void settle(const QString& batch, const std::string& person, const BatchStanding& standing);
   void restoreModels(const QString& batch);
   void settleUnseen(const std::filesystem::path& output, const std::string& person);
@@ -68,8 +68,8 @@ class ReviewScreen final : public Screen {
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
   void nameSherds();
-  void sayIfTwice(const QString& batch, const pipeline::PairDecision& decision);
-  QString editedWords(const QString& batch, const pipeline::PairDecision& edit) const;
+  void sayIfTwice(const QString& batch, const decisions::PairDecision& decision);
+  QString editedWords(const QString& batch, const decisions::PairDecision& edit) const;
   QWidget* buildScale();
   void showScale();
   std::filesystem::path outputOf(const QString& batch) const;

@@ -8,11 +8,11 @@
 namespace ostraka::ui {
 namespace {
 
+using decisions::CandidateTable;
 using pairing::Doubt;
-using pipeline::CandidateTable;
-using pipeline::CardState;
-using pipeline::ReviewCard;
 using registration::FailedCheck;
+using review::CardState;
+using review::ReviewCard;
 
 constexpr double kToldApart = 0.05;  // chances that differ by more are not the same to a person
 
@@ -74,7 +74,7 @@ QString aloneSentence(const CandidateTable& table, const CardStory& story) {
 // What was decided for others may leave a front one back only; its candidates' chances are those
 // before any decision.
 QString sureSentence(const ReviewCard& card) {
-  for (const pipeline::ReviewCandidate& own : card.candidates)
+  for (const review::ReviewCandidate& own : card.candidates)
     if (own.back == card.back && own.score < card.score - kToldApart)
       return tr("Sure by what was decided for others: %1; by itself %2.")
           .arg(percent(card.score), scoreWords(own.score));
@@ -152,7 +152,7 @@ State stateColour(CardState state) {
   }
 }
 
-QString hardlyMeetSentence(const pipeline::LiveFit& fit) {
+QString hardlyMeetSentence(const review::LiveFit& fit) {
   return tr("The fractures barely touch: %1 of them.").arg(percent(fit.fracture_overlap));
 }
 
@@ -170,7 +170,7 @@ QString madeWord(Made made) {
   return {};
 }
 
-QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
+QString triedSentence(const Trial& trial, double score, const review::LiveFit* fit,
                       const ReviewCard& card, const CandidateTable& table) {
   const QString back = nameOf(table.backs, trial.back);
   const QString chance = scoreWords(score), meets = percent(fit ? fit->fracture_overlap : 0);

@@ -15,20 +15,20 @@ struct CardStory {
   bool by_hand = false;  ///< the pose that was decided was given by hand
   int lost_back = -1,
       lost_to = -1;  ///< the program's own back, and the front that a person gave it
-  std::optional<pipeline::ReviewCandidate> next = {};  ///< the best back that is nobody's
+  std::optional<review::ReviewCandidate> next = {};  ///< the best back that is nobody's
 };
 /// Whole sentence: why this card wants a person, or what was decided.
-QString doubtSentence(const pipeline::ReviewCard& card, const pipeline::CandidateTable& table,
+QString doubtSentence(const review::ReviewCard& card, const decisions::CandidateTable& table,
                       const CardStory& story);
 /// The same about what is tried instead of that. score: the program's for these two. fit: of this
 /// pose, or null while it is measured.
-QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
-                      const pipeline::ReviewCard& card, const pipeline::CandidateTable& table);
+QString triedSentence(const Trial& trial, double score, const review::LiveFit* fit,
+                      const review::ReviewCard& card, const decisions::CandidateTable& table);
 QString madeWord(Made made);  ///< two or three words
-QString hardlyMeetSentence(const pipeline::LiveFit& fit);
+QString hardlyMeetSentence(const review::LiveFit& fit);
 /// One or two words for the state; goes along with the colour.
-QString stateWord(pipeline::CardState state);
-State stateColour(pipeline::CardState state);
+QString stateWord(review::CardState state);
+State stateColour(review::CardState state);
 QString percent(double share);     ///< "71 %", "under 1 %"
 QString scoreWords(double score);  ///< of a candidate; 0: the program gave it none
 QString mm(double value, int digits = 2);

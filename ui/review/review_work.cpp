@@ -16,7 +16,7 @@ constexpr double kThumbnailPixel_mm = 0.5, kLonePixel_mm = 0.15;
 
 }  // namespace
 
-QImage imageOf(const pipeline::Picture& picture) {
+QImage imageOf(const review::Picture& picture) {
   if (picture.rgba.empty()) return {};
   return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
                 QImage::Format_RGBA8888)
@@ -25,26 +25,25 @@ QImage imageOf(const pipeline::Picture& picture) {
 
 Result<OpenedBatch> openBatch(const std::filesystem::path& output,
                               const std::filesystem::path& rows) {
-  if (const Result<void> whole = pipeline::computedToItsEnd(output); !whole) return whole.error();
-  Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
+  if (const Result<void> whole = review::computedToItsEnd(output); !whole) return whole.error();
+  Result<decisions::Decisions> decisions = decisions::readDecisions(output);
   if (!decisions) return decisions.error();
-  const auto live = pipeline::LivePairs::open(output);
+  const auto live = review::LivePairs::open(output);
   if (!live) return live.error();
-  pipeline::Decisions followed = pipeline::followed(*decisions, output);
+  decisions::Decisions followed = decisions::followed(*decisions, output);
   OpenedBatch opened{*live, std::move(*decisions), std::move(followed)};
-  if (!rows.empty())
-    opened.caught_up = catalogue::catchUp(rows, output.filename().string(), output);
+  if (!rows.empty()) opened.caught_up = intake::catchUp(rows, output.filename().string(), output);
   return opened;
 }
 
 Result<BatchStanding> standingOf(const std::filesystem::path& output) {
-  const Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
+  const Result<decisions::Decisions> decisions = decisions::readDecisions(output);
   if (!decisions) return decisions.error();
-  const Result<pipeline::CandidateTable> table = pipeline::readCandidatesOf(output);
+  const Result<decisions::CandidateTable> table = decisions::readCandidatesOf(output);
   if (!table) return table.error();
-  const auto review = pipeline::reviewOf(*table, pipeline::standing(*decisions));
+  const auto review = review::reviewOf(*table, decisions::standing(*decisions));
   if (!review) return review.error();
-  return BatchStanding{figuresOf(*review), pipeline::wantsComputing(output)};
+  return BatchStanding{figuresOf(*review), review::wantsComputing(output)};
 }
 
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
@@ -52,17 +51,17 @@ Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int
   auto scene = std::make_shared<PairScene>();
   scene->front = front;
   scene->back = back;
-  Result<pipeline::PairView> view = live->view(front, back, pose);
+  Result<review::PairView> view = live->view(front, back, pose);
   if (!view) return view.error();
   scene->view = std::move(*view);
   scene->front_picture = imageOf(scene->view.front);
   scene->back_picture = imageOf(scene->view.back);
   scene->fit.front_from_back = pose;
   // Scans without a usable fracture still have outlines and photographs.
-  if (const Result<pipeline::LiveFit> fit = live->measured(front, back, pose)) scene->fit = *fit;
+  if (const Result<review::LiveFit> fit = live->measured(front, back, pose)) scene->fit = *fit;
   if (clouds == Clouds::Fetch) {
-    Result<pipeline::ScanCloud> f = live->cloud(batch::Side::Front, front, kShownPoints);
-    Result<pipeline::ScanCloud> b = live->cloud(batch::Side::Back, back, kShownPoints);
+    Result<review::ScanCloud> f = live->cloud(batch::Side::Front, front, kShownPoints);
+    Result<review::ScanCloud> b = live->cloud(batch::Side::Back, back, kShownPoints);
     if (!f) return f.error();
     if (!b) return b.error();
     scene->front_cloud = std::move(*f);
@@ -77,9 +76,9 @@ Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, bat
   const bool front = side == batch::Side::Front;
   (front ? scene->front : scene->back) = scan;
   scene->view.frame = live->frameOf(side, scan, kLonePixel_mm);
-  if (const Result<pipeline::Picture> picture = live->picture(side, scan, kLonePixel_mm))
+  if (const Result<review::Picture> picture = live->picture(side, scan, kLonePixel_mm))
     (front ? scene->front_picture : scene->back_picture) = imageOf(*picture);
-  Result<pipeline::ScanCloud> cloud = live->cloud(side, scan, kShownPoints);
+  Result<review::ScanCloud> cloud = live->cloud(side, scan, kShownPoints);
   if (!cloud) return cloud.error();
   scene->front_cloud.emplace();
   scene->back_cloud.emplace();
@@ -113,7 +112,7 @@ Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop
     const auto& scans = side == batch::Side::Front ? live->table().fronts : live->table().backs;
     for (int i = 0; i < static_cast<int>(scans.size()); ++i) {
       if (stop.stop_requested()) return Error::cancelled();
-      const Result<pipeline::Picture> picture = live->picture(side, i, kThumbnailPixel_mm);
+      const Result<review::Picture> picture = live->picture(side, i, kThumbnailPixel_mm);
       if (!picture) return picture.error();
       pictures[{side, i}] = imageOf(*picture);
     }
@@ -121,22 +120,21 @@ Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop
   return pictures;
 }
 
-Result<std::optional<pipeline::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live,
-                                                                  int front,
-                                                                  const std::vector<int>& known,
-                                                                  Progress& progress,
-                                                                  std::stop_token stop) {
-  const auto found = pipeline::nextCandidate(*live, front, known, progress, stop);
+Result<std::optional<review::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live, int front,
+                                                                const std::vector<int>& known,
+                                                                Progress& progress,
+                                                                std::stop_token stop) {
+  const auto found = review::nextCandidate(*live, front, known, progress, stop);
   if (!found) return found.error();
-  if (!*found) return std::optional<pipeline::ReviewCandidate>();
-  return std::optional(pipeline::candidateOf(**found));
+  if (!*found) return std::optional<review::ReviewCandidate>();
+  return std::optional(review::candidateOf(**found));
 }
 
-Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
-                                               std::stop_token stop) {
-  const Result<pipeline::RegisteredCandidate> candidate = live->compared(front, back, stop);
+Result<review::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
+                                             std::stop_token stop) {
+  const Result<decisions::RegisteredCandidate> candidate = live->compared(front, back, stop);
   if (!candidate) return candidate.error();
-  return pipeline::candidateOf(*candidate);
+  return review::candidateOf(*candidate);
 }
 
 }  // namespace ostraka::ui

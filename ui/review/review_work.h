@@ -14,14 +14,14 @@
 /// What the review computes away from the window's thread: values in, values out.
 namespace ostraka::ui {
 
-using LivePairsPtr = std::shared_ptr<const pipeline::LivePairs>;
+using LivePairsPtr = std::shared_ptr<const review::LivePairs>;
 
 /// A batch as it is opened for review.
 struct OpenedBatch {
   LivePairsPtr live;
-  pipeline::Decisions decisions;  ///< all ever taken
-  pipeline::Decisions followed;   ///< by the results as they are
-  Result<int> caught_up = 0;      ///< rows of decisions that the catalogue lacked
+  decisions::Decisions decisions;  ///< all ever taken
+  decisions::Decisions followed;   ///< by the results as they are
+  Result<int> caught_up = 0;       ///< rows of decisions that the catalogue lacked
 };
 /// rows: the folder of the project whose catalogue follows the decisions first; none: it is not
 /// asked. Missing while the batch is computed, and where that was stopped.
@@ -38,10 +38,10 @@ Result<BatchStanding> standingOf(const std::filesystem::path& output);
 /// A pair at a pose with all that is shown of it.
 struct PairScene {
   int front = -1, back = -1;
-  pipeline::LiveFit fit;
-  pipeline::PairView view;
-  QImage front_picture, back_picture;                          ///< of view
-  std::optional<pipeline::ScanCloud> front_cloud, back_cloud;  ///< only when asked for
+  review::LiveFit fit;
+  review::PairView view;
+  QImage front_picture, back_picture;                        ///< of view
+  std::optional<review::ScanCloud> front_cloud, back_cloud;  ///< only when asked for
 };
 enum class Clouds { Leave, Fetch };
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
@@ -61,16 +61,15 @@ using ScanPictures = std::map<std::pair<batch::Side, int>, QImage>;
 Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop);
 
 /// The likeliest back that is not known yet, fractures compared; nothing when there is none.
-Result<std::optional<pipeline::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live,
-                                                                  int front,
-                                                                  const std::vector<int>& known,
-                                                                  Progress& progress,
-                                                                  std::stop_token stop);
+Result<std::optional<review::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live, int front,
+                                                                const std::vector<int>& known,
+                                                                Progress& progress,
+                                                                std::stop_token stop);
 
 /// One back compared on demand.
-Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
-                                               std::stop_token stop);
+Result<review::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
+                                             std::stop_token stop);
 
-QImage imageOf(const pipeline::Picture& picture);
+QImage imageOf(const review::Picture& picture);
 
 }  // namespace ostraka::ui

@@ -42,7 +42,7 @@ int settingIn(const catalogue::Catalogue& rows, const char* key, int otherwise) 
   return good ? value : otherwise;
 }
 
-QString placeWords(const catalogue::ContextRecord& context) {
+QString placeWords(const records::ContextRecord& context) {
   QStringList parts;
   for (const std::string* part : {&context.site_code, &context.trench_code, &context.number})
     if (!part->empty()) parts << QString::fromStdString(*part);
@@ -52,12 +52,12 @@ QString placeWords(const catalogue::ContextRecord& context) {
 using Gaps = std::vector<std::pair<QString, std::vector<int>>>;
 
 Result<Gaps> gapsIn(const std::filesystem::path& project, const std::stop_token& stop) {
-  const Result<catalogue::Catalogue> rows = catalogue::Project::connect(project);
+  const Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);
   if (!rows) return rows.error();
   const auto contexts = rows->contexts();
   if (!contexts) return contexts.error();
   Gaps gaps;
-  for (const catalogue::ContextRecord& context : *contexts) {
+  for (const records::ContextRecord& context : *contexts) {
     if (stop.stop_requested()) return Error::cancelled();
     Result<std::vector<int>> numbers = rows->numberGaps(context.row);
     if (!numbers) return numbers.error();
@@ -162,7 +162,7 @@ void NumberingModel::follow() {
   example_.clear();
   refusal_.clear();
   warning_.clear();
-  const auto scheme = catalogue::Numbering::parse(wanted_.scheme.toStdString());
+  const auto scheme = records::Numbering::parse(wanted_.scheme.toStdString());
   if (session_ == nullptr) return emit changed();
   if (!scheme) {
     refusal_ = sentenceOf(scheme.error());
@@ -174,7 +174,7 @@ void NumberingModel::follow() {
   const auto project = session_->project().catalogue().project();
   Tokens shown = tokensOf(project ? project->code : "ARM1", "T3", "0012");
   if (contexts)
-    for (const catalogue::ContextRecord& context : *contexts) {
+    for (const records::ContextRecord& context : *contexts) {
       const Tokens tokens = tokensOf(context.site_code, context.trench_code, context.number);
       if (!scheme->number(tokens, wanted_.first)) {
         warning_ = tr("Sherds of %1 get no number so: it lacks a part that the numbering names.")
@@ -187,7 +187,7 @@ void NumberingModel::follow() {
   int next = std::max(wanted_.first, 1);
   if (const auto counter = scheme->counter(shown))
     if (const auto free =
-            catalogue::nextNumber(session_->project().catalogue(), *counter, next, wanted_.last))
+            records::nextNumber(session_->project().catalogue(), *counter, next, wanted_.last))
       next = *free;
   const auto number = scheme->number(shown, next);
   if (number)
@@ -199,9 +199,9 @@ void NumberingModel::follow() {
 
 Result<void> NumberingModel::hold(const Numbering& numbering) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Provenance provenance = session_->provenance();
+  const records::Provenance provenance = session_->provenance();
   const Result<void> done = rows.together([&]() -> Result<void> {
-    Result<catalogue::ProjectRecord> project = rows.project();
+    Result<records::ProjectRecord> project = rows.project();
     if (!project) return project.error();
     project->numbering = numbering.scheme.toStdString();
     if (Result<void> set = rows.setProject(*project, provenance); !set) return set;

@@ -85,7 +85,7 @@ void RightsEdit::setSession(ProjectSession* session) {
 
 void RightsEdit::showRights() {
   if (!session_) return;
-  const Result<catalogue::ProjectRecord> record = session_->project().catalogue().project();
+  const Result<records::ProjectRecord> record = session_->project().catalogue().project();
   if (!record) return told_->setText(sentenceOf(record.error()));
   licence_->setText(QString::fromStdString(record->licence));
   holder_->setText(QString::fromStdString(record->rights_holder));
@@ -93,7 +93,7 @@ void RightsEdit::showRights() {
 
 Result<void> RightsEdit::hold(const QString& licence, const QString& holder) {
   if (!session_) return {};
-  Result<catalogue::ProjectRecord> record = session_->project().catalogue().project();
+  Result<records::ProjectRecord> record = session_->project().catalogue().project();
   if (!record) return record.error();
   record->licence = licence.toStdString();
   record->rights_holder = holder.toStdString();
@@ -107,7 +107,7 @@ Result<void> RightsEdit::hold(const QString& licence, const QString& holder) {
 
 void RightsEdit::save() {
   if (!session_) return;
-  const Result<catalogue::ProjectRecord> record = session_->project().catalogue().project();
+  const Result<records::ProjectRecord> record = session_->project().catalogue().project();
   if (!record) return told_->setText(sentenceOf(record.error()));
   const RightsCommand::Rights before{QString::fromStdString(record->licence),
                                      QString::fromStdString(record->rights_holder)};

@@ -21,9 +21,9 @@ namespace {
 
 constexpr int kLines = 7;
 
-QString linesOf(const std::vector<catalogue::Term>& terms) {
+QString linesOf(const std::vector<records::Term>& terms) {
   QStringList lines;
-  for (const catalogue::Term& term : terms) lines << termLabel(term);
+  for (const records::Term& term : terms) lines << termLabel(term);
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -33,7 +33,7 @@ QString linesOf(const std::vector<catalogue::Term>& terms) {
 class VocabularyCommand final : public QUndoCommand {
  public:
   VocabularyCommand(VocabularyEdit& edit, const QString& vocabulary,
-                    std::vector<catalogue::Term> before, std::vector<catalogue::Term> after)
+                    std::vector<records::Term> before, std::vector<records::Term> after)
       : QUndoCommand(VocabularyEdit::tr("change the vocabulary")),
         edit_(edit),
         vocabulary_(vocabulary),
@@ -48,7 +48,7 @@ class VocabularyCommand final : public QUndoCommand {
   void undo() override { hold(before_); }
 
  private:
-  void hold(const std::vector<catalogue::Term>& terms) {
+  void hold(const std::vector<records::Term>& terms) {
     const Result<void> done = edit_.hold(vocabulary_, terms);
     if (done) return;
     setObsolete(true);
@@ -57,7 +57,7 @@ class VocabularyCommand final : public QUndoCommand {
 
   VocabularyEdit& edit_;
   QString vocabulary_;
-  std::vector<catalogue::Term> before_, after_;
+  std::vector<records::Term> before_, after_;
   bool first_ = true;
 };
 
@@ -137,21 +137,21 @@ void VocabularyEdit::showTerms() {
 }
 
 // A word that was there before keeps what it is called in other languages.
-std::vector<catalogue::Term> VocabularyEdit::written() const {
-  std::vector<catalogue::Term> terms;
+std::vector<records::Term> VocabularyEdit::written() const {
+  std::vector<records::Term> terms;
   for (const QString& line : terms_->toPlainText().split(QLatin1Char('\n'))) {
     const std::string word = line.simplified().toStdString();
     if (word.empty()) continue;
-    const auto known = std::find_if(held_.begin(), held_.end(), [&](const catalogue::Term& term) {
+    const auto known = std::find_if(held_.begin(), held_.end(), [&](const records::Term& term) {
       return term.term == word || termLabel(term).toStdString() == word;
     });
-    terms.push_back(known == held_.end() ? catalogue::Term{word, {}, {}} : *known);
+    terms.push_back(known == held_.end() ? records::Term{word, {}, {}} : *known);
   }
   return terms;
 }
 
 Result<void> VocabularyEdit::hold(const QString& vocabulary,
-                                  const std::vector<catalogue::Term>& terms) {
+                                  const std::vector<records::Term>& terms) {
   if (Result<void> done = session_->project().catalogue().setVocabulary(
           vocabulary.toStdString(), terms, session_->provenance());
       !done)
@@ -166,7 +166,7 @@ Result<void> VocabularyEdit::hold(const QString& vocabulary,
 void VocabularyEdit::save() {
   if (!session_) return;
   const QString vocabulary = which_->currentData().toString();
-  const std::vector<catalogue::Term> before = held_, after = written();
+  const std::vector<records::Term> before = held_, after = written();
   const bool same = std::equal(before.begin(), before.end(), after.begin(), after.end(),
                                [](const auto& a, const auto& b) { return a.term == b.term; });
   if (same) return;

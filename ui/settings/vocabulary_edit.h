@@ -31,13 +31,13 @@ class VocabularyEdit final : public QWidget {
   void showTerms();
   void keepDraft();
   void save();
-  Result<void> hold(const QString& vocabulary, const std::vector<catalogue::Term>& terms);
-  std::vector<catalogue::Term> written() const;
+  Result<void> hold(const QString& vocabulary, const std::vector<records::Term>& terms);
+  std::vector<records::Term> written() const;
 
   QPointer<ProjectSession> session_;
-  QString shown_;                      ///< the vocabulary that is shown
-  std::vector<catalogue::Term> held_;  ///< its words in the catalogue
-  QHash<QString, QString> drafts_;     ///< of each vocabulary, as typed and not saved yet
+  QString shown_;                    ///< the vocabulary that is shown
+  std::vector<records::Term> held_;  ///< its words in the catalogue
+  QHash<QString, QString> drafts_;   ///< of each vocabulary, as typed and not saved yet
   QComboBox* which_;
   QPlainTextEdit* terms_;
   QLabel* told_;

@@ -9,13 +9,13 @@
 #include "tests/core/exchange/exported_project.h"
 #include "tests/core/exchange/mended_bag.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace catalogue;
 
-class Archive : public ExportedProject {
+class Archive : public exchange::ExportedProject {
  protected:
   fs::path at(const std::string& name) const { return folder_.path() / name; }
   Result<Archived> archive(DamagedFiles damaged = DamagedFiles::Refuse) {
@@ -55,20 +55,21 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
   const Result<Restored> restored = restoreProject(at("archive"), at("laptop") / "", quiet, {});
   ASSERT_TRUE(restored) << restored.error().sentence();
   EXPECT_TRUE(restored->damage.empty());
-  Result<Project> laptop = Project::open(at("laptop"));
+  Result<upkeep::Project> laptop = upkeep::Project::open(at("laptop"));
   ASSERT_TRUE(laptop) << laptop.error().sentence();
   EXPECT_EQ(laptop->catalogue().historyLength(), catalogue().historyLength());
   EXPECT_EQ(laptop->catalogue().sherd(rows[0])->note, catalogue().sherd(rows[0])->note);
-  for (const FileRecord& file : valueIn(catalogue().files()))
+  for (const records::FileRecord& file : valueIn(catalogue().files()))
     EXPECT_EQ(sha256(*readFile(laptop->absolute(file.path))), file.sha256) << file.path;
   EXPECT_FALSE(restore()) << "never over a project";
   EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
 }
 
 TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
-  put(project_->folder() / ".ostraka.lock", "4711");
-  put(project_->folder() / "notes.txt", "mine");
-  ASSERT_TRUE(checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, quiet, {}));
+  exchange::put(project_->folder() / ".ostraka.lock", "4711");
+  exchange::put(project_->folder() / "notes.txt", "mine");
+  ASSERT_TRUE(
+      upkeep::checkFiles(catalogue(), project_->folder(), upkeep::CheckDepth::Hashes, quiet, {}));
   ASSERT_TRUE(archive());
   ASSERT_TRUE(restore());
   EXPECT_TRUE(fs::exists(at("laptop/notes.txt")));
@@ -77,7 +78,7 @@ TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
 }
 
 TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
-  put(modelOf(0), "one bit another");
+  exchange::put(modelOf(0), "one bit another");
   fs::remove(pictureOf(1));
   fs::remove(project_->folder() / "batches/B0001/front/cam0_pos00.jpg");
   fs::create_symlink("/etc/hostname", project_->folder() / "batches/B0001/front/cam0_pos00.jpg");
@@ -85,7 +86,7 @@ TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
   ASSERT_TRUE(refused) << refused.error().sentence();
   EXPECT_FALSE(refused->sealed);
   ASSERT_EQ(refused->damage.size(), 3u);
-  EXPECT_EQ(refused->damage[0].damage, Damage::Missing) << "a link is no photograph";
+  EXPECT_EQ(refused->damage[0].damage, upkeep::Damage::Missing) << "a link is no photograph";
   EXPECT_EQ(refused->damage[0].file.batch, "B0001");
   EXPECT_EQ(refused->damage[1].file.sherd, "ARM1-T3-0012-0001");
   EXPECT_FALSE(fs::exists(at("archive")));
@@ -93,12 +94,12 @@ TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
 }
 
 TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
-  put(modelOf(0), "one bit another");
+  exchange::put(modelOf(0), "one bit another");
   const Result<Archived> sealed = archive(DamagedFiles::Seal);
   ASSERT_TRUE(sealed) << sealed.error().sentence();
   EXPECT_TRUE(sealed->sealed);
   ASSERT_EQ(sealed->damage.size(), 1u);
-  const std::string sentence = sentenceOf(sealed->damage[0]);
+  const std::string sentence = records::sentenceOf(sealed->damage[0]);
   EXPECT_EQ(*readFile(at("archive/damage.txt")), sentence + "\n");
   const std::string command =
       "cd '" + at("archive").string() +
@@ -116,7 +117,7 @@ TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
 TEST_F(Archive, LeavesFilesOfOthersAloneThatBearItsUnfinishedNames) {
   for (const char* mine :
        {"archive.partial/letter.txt", "archive.sqlite.partial", "laptop.partial/letter.txt"})
-    put(at(mine), "mine");
+    exchange::put(at(mine), "mine");
   EXPECT_FALSE(archive());
   EXPECT_EQ(*readFile(at("archive.partial/letter.txt")), "mine");
   fs::remove_all(at("archive.partial"));
@@ -130,7 +131,7 @@ TEST_F(Archive, LeavesFilesOfOthersAloneThatBearItsUnfinishedNames) {
 
 TEST_F(Archive, OnAFullDiskNamesTheArchiveAndLeavesNothing) {
   const std::string photograph(std::size_t{3} << 20, 'p');
-  put(project_->folder() / "batches/B0001/front/cam0_pos01.jpg", photograph);
+  exchange::put(project_->folder() / "batches/B0001/front/cam0_pos01.jpg", photograph);
   for (const rlim_t most_bytes : {rlim_t{2} << 20, rlim_t{64} << 10}) {
     const Result<Archived> full = [&] {
       const FullDisk disk(most_bytes);
@@ -155,10 +156,11 @@ TEST_F(Archive, OnAFullDiskNamesTheArchiveAndLeavesNothing) {
 }
 
 TEST_F(Archive, AnExportOnAFullDiskNamesTheExport) {
-  put(project_->folder() / "batches/B0001/front/cam0_pos00.jpg",
-      std::string(std::size_t{3} << 20, 'p'));
+  exchange::put(project_->folder() / "batches/B0001/front/cam0_pos00.jpg",
+                std::string(std::size_t{3} << 20, 'p'));
   const FullDisk disk(rlim_t{2} << 20);
-  const Result<Exported> full = exportTo("out", {Form::Json, Form::Photographs});
+  const Result<exchange::Exported> full =
+      exportTo("out", {exchange::Form::Json, exchange::Form::Photographs});
   ASSERT_FALSE(full);
   EXPECT_EQ(full.error().code, ErrorCode::CannotWrite);
   EXPECT_THAT(full.error().where, testing::StartsWith(at("out").string()));
@@ -178,12 +180,12 @@ class Between final : public Progress {
 
 TEST_F(Archive, TakesNoFileThatTookThePlaceOfACheckedOne) {
   ASSERT_TRUE(archive());
-  put(at("secret"), "PRIVATE KEY");
+  exchange::put(at("secret"), "PRIVATE KEY");
   const fs::path photograph = at("archive/data/batches/B0001/front/cam0_pos00.jpg");
-  const auto files = static_cast<int>(MendedBag(at("archive")).payload.size());
+  const auto files = static_cast<int>(exchange::MendedBag(at("archive")).payload.size());
   const std::vector<std::function<void()>> swaps = {
       [&] { fs::create_symlink(at("secret"), photograph); },
-      [&] { put(photograph, "another JPEG"); },
+      [&] { exchange::put(photograph, "another JPEG"); },
       [&] {
         fs::rename(photograph.parent_path(), at("front"));
         fs::create_directory_symlink(folder_.path(), photograph.parent_path());
@@ -201,9 +203,9 @@ TEST_F(Archive, TakesNoFileThatTookThePlaceOfACheckedOne) {
     EXPECT_FALSE(fs::exists(at("laptop.partial")));
     fs::remove(photograph);
     if (fs::is_symlink(photograph.parent_path())) break;
-    put(photograph, "JPEG");
+    exchange::put(photograph, "JPEG");
   }
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

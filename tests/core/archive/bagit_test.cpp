@@ -9,7 +9,7 @@
 #include "tests/core/catalogue/small_project.h"
 #include "tests/core/exchange/mended_bag.h"
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,7 +115,7 @@ TEST_F(Bag, AChangedAMissingAndAnUnlistedFileAreNoticed) {
 
 TEST_F(Bag, ManifestsThatPointOutsideAreRefused) {
   write();
-  MendedBag bag(target);
+  exchange::MendedBag bag(target);
   bag.list("../../secret", "x");
   bag.mend();
   EXPECT_NE(why().find("outside the folder"), std::string::npos) << why();
@@ -124,4 +124,4 @@ TEST_F(Bag, ManifestsThatPointOutsideAreRefused) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 TEST(DistinctPaths, RefusesNamesThatAreOneOnOtherSystems) {
@@ -17,4 +17,4 @@ TEST(DistinctPaths, RefusesNamesThatAreOneOnOtherSystems) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

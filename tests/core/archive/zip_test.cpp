@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::exchange {
+namespace ostraka::archive {
 namespace {
 
 using namespace std::string_literals;
@@ -24,4 +24,4 @@ TEST(Zip, IsAsTheNoteOnTheFormatSays) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::archive

@@ -9,7 +9,7 @@
 #include "review/plate_map.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,7 +26,7 @@ class MovedBatch : public testing::Test {
 
 TEST_F(MovedBatch, ItsPhotographsAreFoundBesideTheResults) {
   const fs::path then = folder / "then/results/B0001", now = folder / "elsewhere/results/B0001";
-  writeSyntheticOut(then, {});
+  pipeline::writeSyntheticOut(then, {});
   const std::string photograph = (then / "photographs/front.png").string();
   EXPECT_EQ(photographNow(photograph, then), photograph) << "nothing has moved";
   fs::create_directories(folder / "then/batches/B0001");
@@ -35,9 +35,9 @@ TEST_F(MovedBatch, ItsPhotographsAreFoundBesideTheResults) {
   const fs::path found = folder / "elsewhere/batches/B0001/photographs/front.png";
   EXPECT_EQ(photographNow(photograph, now), found);
   EXPECT_EQ(photographNow(photograph, now / ""), found) << "with a slash at its end";
-  const auto live = LivePairs::open(now);
+  const auto live = review::LivePairs::open(now);
   ASSERT_TRUE(live.has_value()) << live.error().sentence();
-  const auto map = plateMap(**live, {});
+  const auto map = review::plateMap(**live, {});
   ASSERT_TRUE(map.has_value()) << map.error().sentence();
   EXPECT_EQ(map->front.photograph, found);
   EXPECT_TRUE((*live)->view(0, 0, Eigen::Isometry3d::Identity()).has_value());
@@ -57,4 +57,4 @@ TEST_F(MovedBatch, APhotographThatIsGoneKeepsItsName) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::batch

@@ -6,7 +6,7 @@
 
 #include "calibration/intrinsics.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 const batch::Board kBoard{"DICT_5X5_100", 9, 7, 22, 16};
@@ -131,4 +131,4 @@ TEST(FindGrid, FindsCornersOfSharpSoftAndLargePictures) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -5,7 +5,7 @@
 
 #include "files/files.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,4 +27,4 @@ TEST(BoardFolder, RefusesAGridWithoutGaps) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

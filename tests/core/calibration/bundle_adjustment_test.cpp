@@ -4,7 +4,7 @@
 
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 constexpr int kMarkers = 12;
@@ -13,7 +13,7 @@ RigState disturbed(RigState state) {
   state.print_errors_mm.assign(kMarkers * 4, Eigen::Vector3d::Zero());
   for (RigState::Camera& camera : state.cameras)
     camera.camera_from_turntable =
-        rigid({0.01, -0.01, 0.02}, {1, -2, 3}) * camera.camera_from_turntable;
+        rig::rigid({0.01, -0.01, 0.02}, {1, -2, 3}) * camera.camera_from_turntable;
   for (int stop = 1; stop < 8; ++stop) state.angles_rad[0][stop] += 0.01;
   state.turntable_from_plate[0] = Eigen::Isometry3d::Identity();
   return state;
@@ -33,22 +33,23 @@ double worstProjection_px(const RigState& a, const RigState& b) {
 }
 
 TEST(Adjust, FindsTheRigFromExactCornersWithKnownLenses) {
-  const RigState truth = trueRig();
+  const RigState truth = rig::trueRig();
   AdjustOptions options;
   options.cameras = Cameras::LensKnown;
-  const auto found = adjust(disturbed(truth), cornersSeen(truth, ring(kMarkers), 0), {}, options);
+  const auto found =
+      adjust(disturbed(truth), rig::cornersSeen(truth, rig::ring(kMarkers), 0), {}, options);
   ASSERT_TRUE(found.has_value()) << found.error().sentence();
   EXPECT_LT(worstProjection_px(*found, truth), 0.01);
 }
 
 TEST(Adjust, KeepsKnownCamerasAndFindsAnglesAndPlate) {
-  const RigState truth = trueRig();
+  const RigState truth = rig::trueRig();
   RigState start = disturbed(truth);
   for (int c = 0; c < 2; ++c)
     start.cameras[c].camera_from_turntable = truth.cameras[c].camera_from_turntable;
   AdjustOptions options;
   options.cameras = Cameras::Known;
-  const auto found = adjust(start, cornersSeen(truth, ring(kMarkers), 0.05), {}, options);
+  const auto found = adjust(start, rig::cornersSeen(truth, rig::ring(kMarkers), 0.05), {}, options);
   ASSERT_TRUE(found.has_value());
   EXPECT_TRUE(
       found->cameras[0].camera_from_turntable.isApprox(truth.cameras[0].camera_from_turntable));
@@ -56,11 +57,11 @@ TEST(Adjust, KeepsKnownCamerasAndFindsAnglesAndPlate) {
 }
 
 TEST(Adjust, TellsThePlatesSizeByKnownCamerasAtAFewStops) {
-  const RigState truth = trueRig();
+  const RigState truth = rig::trueRig();
   RigState start = disturbed(truth);
   for (int c = 0; c < 2; ++c)
     start.cameras[c].camera_from_turntable = truth.cameras[c].camera_from_turntable;
-  std::vector<PlateCorner> corners = cornersSeen(truth, ring(kMarkers), 0.05);
+  std::vector<PlateCorner> corners = rig::cornersSeen(truth, rig::ring(kMarkers), 0.05);
   std::erase_if(corners, [](const PlateCorner& corner) { return corner.stop >= 3; });
   for (PlateCorner& corner : corners) corner.point *= 0.99;  // as a wrong plate.json would have it
   AdjustOptions options;
@@ -77,8 +78,8 @@ TEST(Adjust, TellsThePlatesSizeByKnownCamerasAtAFewStops) {
 }
 
 TEST(Adjust, IsNotPulledAwayByOneWrongMarker) {
-  const RigState truth = trueRig();
-  std::vector<PlateCorner> corners = cornersSeen(truth, ring(kMarkers), 0.05);
+  const RigState truth = rig::trueRig();
+  std::vector<PlateCorner> corners = rig::cornersSeen(truth, rig::ring(kMarkers), 0.05);
   for (int k = 0; k < 4; ++k) corners[k].pixel.x() += 4;
   AdjustOptions options;
   options.cameras = Cameras::LensKnown;
@@ -101,17 +102,17 @@ ByHand photographedByHand(double noise_px) {
   std::normal_distribution<double> normal(0, 1);
   std::uniform_real_distribution<double> height(0.45, 1.2), around(0, 2 * M_PI);
   ByHand hand;
-  SheetBend bend;
+  rig::SheetBend bend;
   bend.reach_mm = 150;
   bend.coefficients_mm = {3, -1, 1.5, 0.8, -0.5, 0.4, 0.6, 0, 0, 0, 0, -0.7};
   hand.truth.angles_rad = {std::vector<double>{0}, std::vector<double>{0}};
   hand.truth.bends[0] = bend;
   for (int i = 0; i < 20; ++i) {
     RigState::Camera& camera = hand.truth.cameras.emplace_back();
-    camera.intrinsics = lens(2600 * (1 + 0.004 * normal(random)));
+    camera.intrinsics = rig::lens(2600 * (1 + 0.004 * normal(random)));
     camera.intrinsics.cx += 3 * normal(random);
     camera.intrinsics.cy += 3 * normal(random);
-    camera.camera_from_turntable = lookingDown(height(random), around(random));
+    camera.camera_from_turntable = rig::lookingDown(height(random), around(random));
     hand.lenses.lens_of_camera.push_back(0);
     int point = 0;
     for (int column = -3; column < 3; ++column)
@@ -135,9 +136,9 @@ TEST(Adjust, FindsPosesAndBendOfPhotographsByHandFromAFlatSheetAndOneLens) {
   start.bends = {};
   start.print_errors_mm.assign(2 * 96, Eigen::Vector3d::Zero());
   for (RigState::Camera& camera : start.cameras) {
-    camera.intrinsics = lens(2570);
+    camera.intrinsics = rig::lens(2570);
     camera.camera_from_turntable =
-        rigid({0.01, -0.01, 0.02}, {1, -2, 6}) * camera.camera_from_turntable;
+        rig::rigid({0.01, -0.01, 0.02}, {1, -2, 6}) * camera.camera_from_turntable;
   }
   AdjustOptions options;
   options.cameras = Cameras::Separate;
@@ -163,4 +164,4 @@ TEST(Adjust, FindsPosesAndBendOfPhotographsByHandFromAFlatSheetAndOneLens) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

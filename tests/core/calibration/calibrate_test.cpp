@@ -7,7 +7,7 @@
 
 #include "rig/marker_dictionary.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 TEST(PoseBatch, SaysThatThereIsNoPlate) {
@@ -55,9 +55,9 @@ TEST(PoseOptions, NamesTheFieldThatIsWrong) {
 }
 
 TEST(MarkerDictionary, RefusesAnUnknownName) {
-  EXPECT_TRUE(markerDictionary("DICT_6X6_1000").has_value());
-  EXPECT_THAT(markerDictionary("DICT_9X9").error().what, testing::HasSubstr("DICT_9X9"));
+  EXPECT_TRUE(rig::markerDictionary("DICT_6X6_1000").has_value());
+  EXPECT_THAT(rig::markerDictionary("DICT_9X9").error().what, testing::HasSubstr("DICT_9X9"));
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

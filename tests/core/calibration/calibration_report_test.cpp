@@ -6,7 +6,7 @@
 #include "calibration/held_out.h"
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 using testing::Contains;
@@ -27,7 +27,7 @@ CameraCalibration wellTaken() {
 BatchPoses fourStops() {
   BatchPoses poses;
   for (int stop = 0; stop < 4; ++stop) {
-    PosedImage image;
+    rig::PosedImage image;
     image.stop = stop;
     image.camera = 1;
     poses.images.push_back(image);
@@ -106,9 +106,9 @@ TEST(CalibrationAdvice, NamesACameraThatWasTouched) {
 }
 
 TEST(HeldOut, DistancesComeFromTheRaysAlone) {
-  const RigState truth = trueRig();
-  const batch::Plate plate = ring(24);
-  const std::vector<PlateCorner> corners = cornersSeen(truth, plate, 0);
+  const RigState truth = rig::trueRig();
+  const batch::Plate plate = rig::ring(24);
+  const std::vector<PlateCorner> corners = rig::cornersSeen(truth, plate, 0);
   const std::vector<std::size_t> chosen = markersToHoldOut(plate, corners);
   ASSERT_EQ(chosen.size(), 4U);
   // plate.json says all is 1 % smaller than it was photographed.
@@ -124,14 +124,15 @@ TEST(HeldOut, DistancesComeFromTheRaysAlone) {
 }
 
 TEST(HeldOut, MoveOfACameraIsToldByTheOther) {
-  const RigState known = trueRig();
+  const RigState known = rig::trueRig();
   RigState now = known;
   now.cameras[1].camera_from_turntable =
-      rigid({0, 0.01, 0}, {0, 0, 0}) * now.cameras[1].camera_from_turntable;
+      rig::rigid({0, 0.01, 0}, {0, 0, 0}) * now.cameras[1].camera_from_turntable;
   now.cameras[1].camera_from_turntable.translate(Eigen::Vector3d(0, 0, 2));  // the eye goes down
   // A turntable's frame of its own changes nothing.
   for (RigState::Camera& camera : now.cameras)
-    camera.camera_from_turntable = camera.camera_from_turntable * rigid({0, 0, 0.3}, {0, 0, 5});
+    camera.camera_from_turntable =
+        camera.camera_from_turntable * rig::rigid({0, 0, 0.3}, {0, 0, 5});
   const Move move = moveAgainst(known, now, 1, 0);
   EXPECT_NEAR(move.moved_mm, 2, 1e-9);
   EXPECT_NEAR(move.turned_rad, 0.01, 1e-9);
@@ -145,4 +146,4 @@ TEST(CalibrateFolder, RefusesWhatIsNoFolder) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -3,7 +3,7 @@
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 // Residuals that are linear in a (2 values) and b (1 value), so that the answer is known by hand.
@@ -69,4 +69,4 @@ TEST_F(Covariance, IsNotGivenWhereNothingDeterminesAValue) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

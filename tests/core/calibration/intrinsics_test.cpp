@@ -4,19 +4,19 @@
 
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 std::vector<TargetView> boardViews(double tilt, double noise_px) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal(0, 1);
   const auto noise = [&](auto& generator) { return noise_px * normal(generator); };
-  const Intrinsics camera = lens(2600);
+  const rig::Intrinsics camera = rig::lens(2600);
   std::vector<TargetView> views;
   for (int k = 0; k < 10; ++k) {
     const Eigen::Isometry3d pose =
-        rigid({tilt * std::cos(k), tilt * std::sin(k), 0.3 * k},
-              {20.0 * (k % 3 - 1) - 60, 15.0 * (k % 4 - 2) - 40, 700.0 + 5 * k});
+        rig::rigid({tilt * std::cos(k), tilt * std::sin(k), 0.3 * k},
+                   {20.0 * (k % 3 - 1) - 60, 15.0 * (k % 4 - 2) - 40, 700.0 + 5 * k});
     TargetView& view = views.emplace_back();
     view.file = "view" + std::to_string(k);
     for (int i = 0; i < 48; ++i) {
@@ -63,4 +63,4 @@ TEST(CalibrateIntrinsics, NeedsThreeViews) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -4,7 +4,7 @@
 
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 TEST(Lenses, AreSharedByPhotographsOfOneSizeWithoutAWordFromTheCamera) {
@@ -20,12 +20,12 @@ std::vector<TargetView> photographed(const std::vector<double>& focals) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 0.1);
   std::vector<TargetView> views;
-  const batch::Plate plate = ring(12);
+  const batch::Plate plate = rig::ring(12);
   for (std::size_t k = 0; k < focals.size(); ++k) {
-    PosedImage image;
-    image.intrinsics = lens(focals[k]);
+    rig::PosedImage image;
+    image.intrinsics = rig::lens(focals[k]);
     image.camera_from_plate =
-        lookingDown(0.6 + 0.05 * static_cast<double>(k % 5), 0.55 * static_cast<double>(k));
+        rig::lookingDown(0.6 + 0.05 * static_cast<double>(k % 5), 0.55 * static_cast<double>(k));
     TargetView& view = views.emplace_back();
     for (const batch::Marker& marker : plate.markers)
       for (const Eigen::Vector3d& corner : marker.corners) {
@@ -73,4 +73,4 @@ TEST(Lenses, StayOneWhereTwoPhotographsAloneWereZoomed) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -4,7 +4,7 @@
 
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::calibration {
 namespace {
 
 const std::vector<int> kStops{0, 1, 2, 3, 4, 5, 6, 7};
@@ -40,7 +40,7 @@ double worstAngle(const RigState& a, const RigState& b) {
 constexpr double kTiltRad = 0.02;
 
 TEST(StartRig, FindsCamerasAndAngles) {
-  const RigState truth = trueRig();
+  const RigState truth = rig::trueRig();
   const auto start = startRig(onlyLenses(), allViews(truth), kStops, Cameras::Free);
   ASSERT_TRUE(start.has_value());
   EXPECT_EQ(start->state.angles_rad[0][0], 0);
@@ -49,7 +49,7 @@ TEST(StartRig, FindsCamerasAndAngles) {
 
 // The best two views of a stop's three bear each other's name.
 TEST(StartRig, FollowsMostViewsWhereOneBearsAnothersName) {
-  RigState truth = trueRig();
+  RigState truth = rig::trueRig();
   truth.cameras.push_back(truth.cameras[1]);
   truth.cameras[2].camera_from_turntable =
       truth.cameras[1].camera_from_turntable *
@@ -70,7 +70,7 @@ TEST(StartRig, FollowsMostViewsWhereOneBearsAnothersName) {
 }
 
 TEST(StartRig, BridgesLostViewsAndAWholeLostStop) {
-  const RigState truth = trueRig();
+  const RigState truth = rig::trueRig();
   std::vector<ViewPose> views = allViews(truth);
   // Camera 1 keeps two views of the back; stop 3 is seen by nobody.
   std::erase_if(views, [](const ViewPose& v) {
@@ -83,7 +83,7 @@ TEST(StartRig, BridgesLostViewsAndAWholeLostStop) {
 }
 
 TEST(StartRig, KeepsKnownCameras) {
-  const RigState truth = trueRig();
+  const RigState truth = rig::trueRig();
   RigState known = onlyLenses();
   for (int c = 0; c < 2; ++c)
     known.cameras[c].camera_from_turntable = truth.cameras[c].camera_from_turntable;
@@ -95,10 +95,10 @@ TEST(StartRig, KeepsKnownCameras) {
 }
 
 TEST(StartRig, GivesNothingWithoutAnyViewOfASide) {
-  std::vector<ViewPose> views = allViews(trueRig());
+  std::vector<ViewPose> views = allViews(rig::trueRig());
   std::erase_if(views, [](const ViewPose& v) { return v.side == 1; });
   EXPECT_FALSE(startRig(onlyLenses(), views, kStops, Cameras::Free).has_value());
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::calibration

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
 using ::testing::ElementsAre;
@@ -14,12 +14,12 @@ using ::testing::IsEmpty;
 class Desktop {
  public:
   explicit Desktop(int gives_in_after) : left_(gives_in_after) {}
-  std::vector<FoundDevice> devices() const {
-    FoundDevice camera;
-    camera.kind = DeviceKind::Camera;
+  std::vector<devices::FoundDevice> devices() const {
+    devices::FoundDevice camera;
+    camera.kind = devices::DeviceKind::Camera;
     camera.model = "D3200";
     if (left_ > 0) camera.holders = {"gvfsd-gphoto2 (77)"};
-    return {FoundDevice{}, camera};
+    return {devices::FoundDevice{}, camera};
   }
   Result<void> release() {
     return releaseFromDesktop(
@@ -62,4 +62,4 @@ TEST(ReleaseFromDesktop, NamesWhoStillHoldsTheCamera) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

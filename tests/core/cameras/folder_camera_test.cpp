@@ -9,15 +9,15 @@
 #include "files/files.h"
 #include "tests/core/capture/flat_rig.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::flatPicture;
+using capture::testing::flatPicture;
 using ::testing::HasSubstr;
 
 // Does something at each look at the clock's time, so that writers run between two polls.
-class ScriptedClock final : public Clock {
+class ScriptedClock final : public devices::Clock {
  public:
   double now_s() override { return now_s_; }
   bool sleep(double seconds, std::stop_token stop) override {
@@ -44,11 +44,11 @@ class FolderCameraTest : public ::testing::Test {
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder_ / name, std::ios::binary | std::ios::app) << bytes;
   }
-  Result<std::vector<CameraFile>> fetch() { return camera_->fetch(20, stop_.get_token()); }
+  Result<std::vector<devices::CameraFile>> fetch() { return camera_->fetch(20, stop_.get_token()); }
 
   fs::path folder_;
   std::shared_ptr<ScriptedClock> clock_ = std::make_shared<ScriptedClock>();
-  std::unique_ptr<Camera> camera_;
+  std::unique_ptr<devices::Camera> camera_;
   std::stop_source stop_;
   const std::string picture_ = flatPicture({}, 0, 0, "one");
 };
@@ -133,4 +133,4 @@ TEST_F(FolderCameraTest, StopsOnRequestAndSaysWhenTheFolderIsGone) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

@@ -6,21 +6,21 @@
 #include "base/parallel.h"
 #include "tests/core/capture/fake_ptp_camera.h"
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
+using capture::testing::FakePtpCamera;
 using ::testing::Contains;
-using testing::FakePtpCamera;
 using ::testing::HasSubstr;
 
 class GphotoCameraTest : public ::testing::Test {
  protected:
-  std::unique_ptr<Camera> open() {
-    auto camera = openGphotoCamera(fake_.address(), steadyClock());
+  std::unique_ptr<devices::Camera> open() {
+    auto camera = openGphotoCamera(fake_.address(), devices::steadyClock());
     EXPECT_TRUE(camera.has_value()) << camera.error().what;
     return camera ? std::move(*camera) : nullptr;
   }
-  std::string shoot(Camera& camera, double timeout_s = 5) {
+  std::string shoot(devices::Camera& camera, double timeout_s = 5) {
     EXPECT_TRUE(camera.trigger().has_value());
     const auto files = camera.fetch(timeout_s, {});
     return files && !files->empty() ? files->at(0).bytes : "none";
@@ -71,8 +71,8 @@ TEST_F(GphotoCameraTest, ComesBackAfterTheConnectionBroke) {
   ASSERT_NE(camera, nullptr);
   fake_.breakConnections();
   const auto triggered = camera->trigger();
-  const auto files =
-      triggered ? camera->fetch(1, {}) : Result<std::vector<CameraFile>>(triggered.error());
+  const auto files = triggered ? camera->fetch(1, {})
+                               : Result<std::vector<devices::CameraFile>>(triggered.error());
   ASSERT_FALSE(files.has_value());
   EXPECT_EQ(files.error().code, ErrorCode::Missing);
   ASSERT_TRUE(camera->reopen({}).has_value());
@@ -117,7 +117,7 @@ TEST(GphotoCameras, ShootAtTheSameTime) {
   std::vector<std::string> got(3);
   const std::vector<FakePtpCamera*> fakes{&one, &two, &three};
   parallelFor(3, 3, [&](std::size_t i) {
-    auto camera = openGphotoCamera(fakes[i]->address(), steadyClock());
+    auto camera = openGphotoCamera(fakes[i]->address(), devices::steadyClock());
     if (!camera || !(*camera)->trigger()) return;
     const auto files = (*camera)->fetch(5, {});
     if (files) got[i] = files->at(0).bytes;
@@ -126,11 +126,11 @@ TEST(GphotoCameras, ShootAtTheSameTime) {
 }
 
 TEST(GphotoCameras, SayThatNoneIsThere) {
-  const auto camera = openGphotoCamera("no such number", steadyClock());
+  const auto camera = openGphotoCamera("no such number", devices::steadyClock());
   ASSERT_FALSE(camera.has_value());
   EXPECT_EQ(camera.error().code, ErrorCode::Missing);
   EXPECT_EQ(camera.error().where, "no such number");
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

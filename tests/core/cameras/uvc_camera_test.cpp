@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace ostraka::capture {
+namespace ostraka::cameras {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,9 +27,9 @@ class UvcCameraTest : public ::testing::Test {
     }
   }
   ~UvcCameraTest() override { fs::remove_all(folder_); }
-  std::unique_ptr<Camera> open(UvcOptions options = {}) {
+  std::unique_ptr<devices::Camera> open(UvcOptions options = {}) {
     options.source = (folder_ / "img_%04d.png").string();
-    auto camera = openUvcCamera(options, steadyClock());
+    auto camera = openUvcCamera(options, devices::steadyClock());
     EXPECT_TRUE(camera.has_value()) << camera.error().what;
     return camera ? std::move(*camera) : nullptr;
   }
@@ -83,10 +83,10 @@ TEST_F(UvcCameraTest, RefusesPicturesOfAnotherSizeAndUnknownSettings) {
 }
 
 TEST(UvcCameras, AreMissedInWords) {
-  const auto camera = openUvcCamera({.source = "/dev/no-such-video"}, steadyClock());
+  const auto camera = openUvcCamera({.source = "/dev/no-such-video"}, devices::steadyClock());
   ASSERT_FALSE(camera.has_value());
   EXPECT_EQ(camera.error().code, ErrorCode::Missing);
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::cameras

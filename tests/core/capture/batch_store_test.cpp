@@ -26,7 +26,7 @@ class Store : public ::testing::Test {
   Result<BatchStore> open(const batch::Plate& plate) const {
     return BatchStore::open(folder_, batch::Side::Front, 3, 1, plate);
   }
-  void take(const std::vector<CameraFile>& files) {
+  void take(const std::vector<devices::CameraFile>& files) {
     Result<BatchStore> store = open(plate_);
     ASSERT_TRUE(store.has_value()) << store.error().what;
     const auto arriving = store->stage(files, 0, 0, 0.0, {"folder", "a camera", "1", ""});

@@ -142,16 +142,16 @@ std::string exposureNote(const std::string& side, int camera, double degrees) {
   return text;
 }
 
-CameraId FlatCamera::id() const {
+devices::CameraId FlatCamera::id() const {
   return {"flat", "Flat camera", "FLAT-" + std::to_string(number_), "paper"};
 }
 
-Result<CameraSetting> FlatCamera::set(const std::string& name, const std::string& value) {
+Result<devices::CameraSetting> FlatCamera::set(const std::string& name, const std::string& value) {
   if (!plugged_) return Error{ErrorCode::Missing, "The camera is gone.", id().serial};
   if (name != "exposure" || (has_dial && value != exposure_time))
     return Error{ErrorCode::UnusableInput, "No " + value + " for " + name + ".", id().serial};
   exposure_time = value;
-  return CameraSetting{name, value, {}, false};
+  return devices::CameraSetting{name, value, {}, false};
 }
 
 Result<std::string> FlatCamera::preview(std::stop_token) {
@@ -191,9 +191,9 @@ Result<void> FlatCamera::trigger() {
   return {};
 }
 
-Result<std::vector<CameraFile>> FlatCamera::fetch(double timeout_s, std::stop_token stop) {
+Result<std::vector<devices::CameraFile>> FlatCamera::fetch(double timeout_s, std::stop_token stop) {
   if (!buffer_.empty()) {
-    std::vector<CameraFile> files{buffer_.front()};
+    std::vector<devices::CameraFile> files{buffer_.front()};
     buffer_.erase(buffer_.begin());
     return files;
   }
@@ -211,7 +211,7 @@ Result<void> FlatCamera::reopen(std::stop_token) {
 }
 
 Result<void> FlatTurntable::home(std::stop_token) {
-  if (!has_switch) return Error{ErrorCode::Missing, "The table has no switch.", name()};
+  if (!has_switch) return Error{ErrorCode::Missing, "The table has no switch.", devices::name()};
   truth_->degrees = 0;
   count_ = 0;
   return {};
@@ -224,11 +224,11 @@ Result<void> FlatTurntable::zeroHere(std::stop_token) {
 
 Result<void> FlatTurntable::moveTo(double degrees, std::stop_token stop) {
   if (stop.stop_requested()) return Error::cancelled();
-  if (!count_) return Error{ErrorCode::NotEnough, "The position is not known.", name()};
+  if (!count_) return Error{ErrorCode::NotEnough, "The position is not known.", devices::name()};
   const Fault fault = faults.empty() ? Fault::None : faults.front();
   if (!faults.empty()) faults.pop_front();
   const double way = degrees - *count_;
-  const Error gone{ErrorCode::Missing, "The table does not answer.", name()};
+  const Error gone{ErrorCode::Missing, "The table does not answer.", devices::name()};
   if (fault == Fault::UnpluggedBefore) return gone;
   ++turned;
   if (fault == Fault::UnpluggedMidway || fault == Fault::Restarted) {

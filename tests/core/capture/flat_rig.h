@@ -16,7 +16,7 @@
 namespace ostraka::capture::testing {
 
 /// Time that passes only when somebody waits.
-class SimulatedClock final : public Clock {
+class SimulatedClock final : public devices::Clock {
  public:
   double now_s() override;
   bool sleep(double seconds, std::stop_token stop) override;
@@ -50,7 +50,7 @@ struct FlatTruth {
   double degrees = 0;  ///< where the table really stands
   std::string side = "front";
   std::atomic<int> exposures = 0;
-  std::shared_ptr<Clock> clock = std::make_shared<SimulatedClock>();
+  std::shared_ptr<devices::Clock> clock = std::make_shared<SimulatedClock>();
   /// Where the table really stands, when another table than FlatTurntable turns it.
   std::function<double()> turned_by = {};
   double stands_at() const { return turned_by ? turned_by() : degrees; }
@@ -59,20 +59,20 @@ struct FlatTruth {
 /// "front camera 1 at 45.0", as the note of every exposure begins.
 std::string exposureNote(const std::string& side, int camera, double degrees);
 
-class FlatCamera final : public Camera {
+class FlatCamera final : public devices::Camera {
  public:
   FlatCamera(std::shared_ptr<FlatTruth> truth, int number)
       : truth_(std::move(truth)), number_(number) {}
 
-  CameraId id() const override;
-  Result<std::vector<CameraSetting>> settings() override {
-    return std::vector<CameraSetting>{{"exposure", exposure_time, {}, false}};
+  devices::CameraId id() const override;
+  Result<std::vector<devices::CameraSetting>> settings() override {
+    return std::vector<devices::CameraSetting>{{"exposure", exposure_time, {}, false}};
   }
-  Result<CameraSetting> set(const std::string& name, const std::string& value) override;
+  Result<devices::CameraSetting> set(const std::string& name, const std::string& value) override;
   Result<std::string> preview(std::stop_token) override;
   Result<void> getReady(std::stop_token) override;
   Result<void> trigger() override;
-  Result<std::vector<CameraFile>> fetch(double timeout_s, std::stop_token stop) override;
+  Result<std::vector<devices::CameraFile>> fetch(double timeout_s, std::stop_token stop) override;
   Result<void> reopen(std::stop_token) override;
   Result<void> close() override { return {}; }
 
@@ -89,11 +89,11 @@ class FlatCamera final : public Camera {
   std::shared_ptr<FlatTruth> truth_;
   int number_;
   bool plugged_ = true;
-  std::vector<CameraFile> buffer_, late_;
+  std::vector<devices::CameraFile> buffer_, late_;
   std::string last_;
 };
 
-class FlatTurntable final : public Turntable {
+class FlatTurntable final : public devices::Turntable {
  public:
   explicit FlatTurntable(std::shared_ptr<FlatTruth> truth) : truth_(std::move(truth)) {}
 

@@ -77,7 +77,7 @@ TEST_F(RigDevicesFile, OpensAFolderAndATableTurnedByHand) {
                             {});
   ASSERT_TRUE(rig.has_value()) << rig.error().what;
   EXPECT_EQ(rig->cameras.at(0)->id().driver, "folder");
-  Turntable& table = *rig->turntable;
+  devices::Turntable& table = *rig->turntable;
   EXPECT_FALSE(table.position_deg().has_value());
   ASSERT_TRUE(table.home({}).has_value());
   ASSERT_TRUE(table.moveTo(405, {}).has_value());

@@ -223,7 +223,7 @@ TEST_F(Sequence, TellsOldPhotographsByTheSherdsWhereAPersonTurnsTheTable) {
     rig_.truth->degrees = std::atof(sentence.substr(sentence.find(" to ") + 4).c_str());
     return true;
   };
-  rig_.devices.turntable = openHandTurntable(person);
+  rig_.devices.turntable = turntables::openHandTurntable(person);
   ASSERT_TRUE(shoot().has_value());
   EXPECT_EQ(asked, kStops) << "none for the throw-away exposure";
   expectWholeSide();
@@ -232,7 +232,7 @@ TEST_F(Sequence, TellsOldPhotographsByTheSherdsWhereAPersonTurnsTheTable) {
   fs::remove_all(folder_);
   rig_.cameras[0]->faults = {Fault::None, Fault::None, Fault::None, Fault::Late, Fault::Late};
   ASSERT_TRUE(shoot().has_value());
-  rig_.devices.turntable = openHandTurntable(person);
+  rig_.devices.turntable = turntables::openHandTurntable(person);
   rig_.truth->scene.sherds = {{-50, 30, 14}, {26, 56, 18}, {40, -50, 12}};
   options_.side = batch::Side::Back;
   const auto done = shoot();

@@ -25,7 +25,7 @@ struct Mischief {
 
 class SimulatedController {
  public:
-  SimulatedController(std::shared_ptr<Clock> clock, Mischief mischief)
+  SimulatedController(std::shared_ptr<devices::Clock> clock, Mischief mischief)
       : clock_(std::move(clock)), mischief_(mischief), random_(mischief.seed) {}
   virtual ~SimulatedController() = default;
 
@@ -57,7 +57,7 @@ class SimulatedController {
     double due_s;
     std::string bytes;
   };
-  std::shared_ptr<Clock> clock_;
+  std::shared_ptr<devices::Clock> clock_;
   Mischief mischief_;
   std::mt19937_64 random_;
   std::deque<Saying> sayings_;
@@ -87,7 +87,7 @@ class SimulatedGrbl final : public SimulatedController {
 
 class SimulatedComXim final : public SimulatedController {
  public:
-  SimulatedComXim(std::shared_ptr<Clock> clock, Mischief mischief, int dialect)
+  SimulatedComXim(std::shared_ptr<devices::Clock> clock, Mischief mischief, int dialect)
       : SimulatedController(std::move(clock), mischief), dialect_(dialect) {}
   bool tells_offset = true;
   bool new_spelling = false;
@@ -107,9 +107,10 @@ class SimulatedComXim final : public SimulatedController {
 };
 
 /// A line in memory, in simulated time.
-class SimulatedChannel final : public ByteChannel {
+class SimulatedChannel final : public devices::ByteChannel {
  public:
-  SimulatedChannel(std::shared_ptr<SimulatedController> device, std::shared_ptr<Clock> clock)
+  SimulatedChannel(std::shared_ptr<SimulatedController> device,
+                   std::shared_ptr<devices::Clock> clock)
       : device_(std::move(device)), clock_(std::move(clock)) {
     device_->opened();
   }
@@ -121,7 +122,7 @@ class SimulatedChannel final : public ByteChannel {
 
  private:
   std::shared_ptr<SimulatedController> device_;
-  std::shared_ptr<Clock> clock_;
+  std::shared_ptr<devices::Clock> clock_;
   bool gone_ = false;
 };
 

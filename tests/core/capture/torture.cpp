@@ -26,18 +26,19 @@ struct TorturedRig {
 };
 
 // Opened like a person would: again, until it answers.
-std::unique_ptr<Turntable> openTable(const TortureOptions& options, TorturedRig& rig) {
+std::unique_ptr<devices::Turntable> openTable(const TortureOptions& options, TorturedRig& rig) {
   const auto clock = rig.flat.truth->clock;
   for (int k = 0; k < 20; ++k) {
     auto channel = std::make_unique<SimulatedChannel>(rig.controller, clock);
-    Result<std::unique_ptr<Turntable>> table =
+    Result<std::unique_ptr<devices::Turntable>> table =
         options.driver == "grbl"
-            ? openGrbl(std::move(channel), {.speed_deg_s = 20}, clock, {})
-            : openComXim(std::move(channel),
-                         {.dialect = options.driver == "comxim1" ? ComXimDialect::Brackets
-                                                                 : ComXimDialect::Commas,
-                          .speed_deg_s = 50},
-                         clock, {});
+            ? turntables::openGrbl(std::move(channel), {.speed_deg_s = 20}, clock, {})
+            : turntables::openComXim(
+                  std::move(channel),
+                  {.dialect = options.driver == "comxim1" ? turntables::ComXimDialect::Brackets
+                                                          : turntables::ComXimDialect::Commas,
+                   .speed_deg_s = 50},
+                  clock, {});
     if (table) return std::move(*table);
   }
   return nullptr;
@@ -136,7 +137,7 @@ bool shootUntilDone(TorturedRig& rig, const SideOptions& side, TortureCount& cou
     const Result<SideSummary> done = shootSide(rig.flat.devices, side, on_event, quiet, {});
     if (done) return done->kept == kStops * static_cast<int>(rig.flat.cameras.size());
     ++count.resumed;
-    Turntable& table = *rig.flat.devices.turntable;
+    devices::Turntable& table = *rig.flat.devices.turntable;
     if (!table.position_deg()) {
       (void)table.reopen({});
       (void)table.home({});

@@ -20,41 +20,43 @@ class Decisions : public SmallProject {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() = Eigen::Vector3d(1, 2, 3);
     for (int i = 0; i < 3; ++i) {
-      PairDecision d = pair(i, i, Verdict::Accept);
+      records::PairDecision d = pair(i, i, records::Verdict::Accept);
       d.front_from_back = pose;
       d.score = 0.9;
       d.ambiguous = i == 2;
       EXPECT_TRUE(catalogue().decide(d, {}));
     }
   }
-  PairDecision pair(int f, int b, Verdict verdict) {
-    PairDecision d;
+  records::PairDecision pair(int f, int b, records::Verdict verdict) {
+    records::PairDecision d;
     d.batch = batch;
     if (f >= 0) d.front = front[f];
     if (b >= 0) d.back = back[b];
     d.verdict = verdict;
     return d;
   }
-  DecisionRow say(int f, int b, Verdict verdict) {
-    const Result<DecisionRow> row = catalogue().decide(pair(f, b, verdict), anna);
+  store::DecisionRow say(int f, int b, records::Verdict verdict) {
+    const Result<store::DecisionRow> row = catalogue().decide(pair(f, b, verdict), anna);
     EXPECT_TRUE(row) << row.error().sentence();
-    return row ? *row : DecisionRow{};
+    return row ? *row : store::DecisionRow{};
   }
-  void withdraw(DecisionRow row) {
-    PairDecision d;
+  void withdraw(store::DecisionRow row) {
+    records::PairDecision d;
     d.batch = batch;
-    d.verdict = Verdict::Withdraw;
+    d.verdict = records::Verdict::Withdraw;
     d.replaces = row;
     EXPECT_TRUE(catalogue().decide(d, anna));
   }
   /// "1-2" for front 1 with back 2, "1a" for front 1 set aside
   std::vector<std::string> now() {
     std::vector<std::string> words;
-    for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch))) {
+    for (const records::PairDecision& d : valueIn(catalogue().currentDecisions(batch))) {
       std::string word;
       for (int i = 0; i < 3; ++i)
         if (d.front == front[i]) word += std::to_string(i + 1);
-      word += d.verdict == Verdict::Accept ? "-" : d.verdict == Verdict::Aside ? "a" : "r";
+      word += d.verdict == records::Verdict::Accept  ? "-"
+              : d.verdict == records::Verdict::Aside ? "a"
+                                                     : "r";
       for (int i = 0; i < 3; ++i)
         if (d.back == back[i]) word += std::to_string(i + 1);
       words.push_back(word);
@@ -63,7 +65,8 @@ class Decisions : public SmallProject {
   }
   std::vector<std::string> sherds() {
     std::vector<std::string> words;
-    for (const SherdRecord& s : valueIn(catalogue().sherds(*catalogue().sherdRows(batch)))) {
+    for (const records::SherdRecord& s :
+         valueIn(catalogue().sherds(*catalogue().sherdRows(batch)))) {
       std::string word;
       for (int i = 0; i < 3; ++i)
         if (s.front == front[i]) word += std::to_string(i + 1);
@@ -74,23 +77,24 @@ class Decisions : public SmallProject {
     }
     return words;
   }
-  BatchRow batch;
-  ScanRow front[3], back[3];
+  store::BatchRow batch;
+  store::ScanRow front[3], back[3];
 };
 
 TEST_F(Decisions, OfTheProgramMakeDraftSherdsInTheBagOfTheBatch) {
   EXPECT_THAT(now(), ElementsAre("1-1", "2-2", "3-3"));
   EXPECT_THAT(sherds(), ElementsAre("1-1", "2-2", "3-3"));
-  const SherdRecord sherd = *catalogue().sherd(catalogue().sherdRows(batch)->front());
-  EXPECT_EQ(sherd.state, SherdState::Draft);
+  const records::SherdRecord sherd = *catalogue().sherd(catalogue().sherdRows(batch)->front());
+  EXPECT_EQ(sherd.state, records::SherdState::Draft);
   EXPECT_EQ(sherd.context, context12);
   EXPECT_EQ(sherd.bag, bag4);
-  EXPECT_EQ(catalogue().scans(batch)->front().state, ScanState::Paired);
-  EXPECT_EQ(catalogue().scans(batch)->at(2).state, ScanState::Open) << "front 3 is doubtful";
+  EXPECT_EQ(catalogue().scans(batch)->front().state, records::ScanState::Paired);
+  EXPECT_EQ(catalogue().scans(batch)->at(2).state, records::ScanState::Open)
+      << "front 3 is doubtful";
 }
 
 TEST_F(Decisions, AreReadBackWithTheirPose) {
-  const PairDecision d = catalogue().decisions(batch)->front();
+  const records::PairDecision d = catalogue().decisions(batch)->front();
   ASSERT_TRUE(d.front_from_back);
   EXPECT_EQ(d.front_from_back->translation(), Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(d.score, 0.9);
@@ -98,18 +102,18 @@ TEST_F(Decisions, AreReadBackWithTheirPose) {
 }
 
 TEST_F(Decisions, APersonsWordStandsAboveTheProgramsAndTheOtherPairBreaks) {
-  say(0, 1, Verdict::Accept);
+  say(0, 1, records::Verdict::Accept);
   EXPECT_THAT(now(), ElementsAre("1-2", "3-3"));
   EXPECT_THAT(sherds(), ElementsAre("1-2", "3-3")) << "front 2 waits for another back";
-  say(1, 0, Verdict::Accept);
+  say(1, 0, records::Verdict::Accept);
   EXPECT_THAT(now(), ElementsAre("1-2", "2-1", "3-3"));
   EXPECT_THAT(sherds(), ElementsAre("1-2", "2-1", "3-3"));
 }
 
 TEST_F(Decisions, TheHistoryOfASherdNamesItsScans) {
-  say(0, 1, Verdict::Accept);
-  const SherdRow first = catalogue().sherdRows(batch)->front();
-  const HistoryEntry newest = catalogue().history(first)->front();
+  say(0, 1, records::Verdict::Accept);
+  const store::SherdRow first = catalogue().sherdRows(batch)->front();
+  const records::HistoryEntry newest = catalogue().history(first)->front();
   const std::string number = catalogue().batch(batch)->number;
   EXPECT_EQ(newest.field, "back");
   EXPECT_EQ(newest.old_value, number + " b001");
@@ -117,36 +121,36 @@ TEST_F(Decisions, TheHistoryOfASherdNamesItsScans) {
 }
 
 TEST_F(Decisions, WhatTheProgramSaysLaterChangesNothingThatAPersonSaid) {
-  say(0, 1, Verdict::Accept);
-  EXPECT_TRUE(catalogue().decide(pair(0, 0, Verdict::Accept), {}));
+  say(0, 1, records::Verdict::Accept);
+  EXPECT_TRUE(catalogue().decide(pair(0, 0, records::Verdict::Accept), {}));
   EXPECT_THAT(now(), ElementsAre("1-2", "3-3"));
 }
 
 TEST_F(Decisions, TheLaterWordOfAPersonCounts) {
-  say(0, 1, Verdict::Accept);
-  say(0, 2, Verdict::Accept);
+  say(0, 1, records::Verdict::Accept);
+  say(0, 2, records::Verdict::Accept);
   EXPECT_THAT(now(), ElementsAre("1-3", "2-2"));
 }
 
 TEST_F(Decisions, ARejectedPairIsNoPairUntilItIsAcceptedAgain) {
-  say(0, 0, Verdict::Reject);
+  say(0, 0, records::Verdict::Reject);
   EXPECT_THAT(now(), ElementsAre("2-2", "3-3"));
-  say(0, 0, Verdict::Accept);
+  say(0, 0, records::Verdict::Accept);
   EXPECT_THAT(now(), ElementsAre("1-1", "2-2", "3-3"));
 }
 
 TEST_F(Decisions, SetAsideCountsForWhatIsStillFree) {
-  say(0, -1, Verdict::Aside);
+  say(0, -1, records::Verdict::Aside);
   EXPECT_THAT(now(), testing::UnorderedElementsAre("1a", "2-2", "3-3"));
-  EXPECT_EQ(catalogue().scans(batch)->front().state, ScanState::Aside);
-  say(1, 1, Verdict::Reshoot);
+  EXPECT_EQ(catalogue().scans(batch)->front().state, records::ScanState::Aside);
+  say(1, 1, records::Verdict::Reshoot);
   EXPECT_THAT(now(), testing::UnorderedElementsAre("1a", "2r2", "3-3"));
-  say(0, 0, Verdict::Accept);
+  say(0, 0, records::Verdict::Accept);
   EXPECT_THAT(now(), testing::UnorderedElementsAre("1-1", "2r2", "3-3"));
 }
 
 TEST_F(Decisions, EverythingCanBeTakenBackAndDoneAgain) {
-  const DecisionRow swapped = say(0, 1, Verdict::Accept);
+  const store::DecisionRow swapped = say(0, 1, records::Verdict::Accept);
   withdraw(swapped);
   EXPECT_THAT(now(), ElementsAre("1-1", "2-2", "3-3"));
   EXPECT_THAT(sherds(), ElementsAre("1-1", "2-2", "3-3"));
@@ -156,46 +160,47 @@ TEST_F(Decisions, EverythingCanBeTakenBackAndDoneAgain) {
 }
 
 TEST_F(Decisions, ANumberStaysWithItsFront) {
-  const SherdRow sherd = catalogue().sherdRows(batch)->front();
+  const store::SherdRow sherd = catalogue().sherdRows(batch)->front();
   ASSERT_TRUE(catalogue().assignNumbers(std::span(&sherd, 1), anna));
-  say(0, 1, Verdict::Accept);
+  say(0, 1, records::Verdict::Accept);
   EXPECT_EQ(catalogue().sherd(sherd)->number, "ARM1-T3-0012-0001");
   EXPECT_EQ(catalogue().sherd(sherd)->front, front[0]);
   EXPECT_EQ(catalogue().sherd(sherd)->back, back[1]);
-  say(0, -1, Verdict::Aside);
-  EXPECT_EQ(catalogue().sherd(sherd)->state, SherdState::Numbered);
+  say(0, -1, records::Verdict::Aside);
+  EXPECT_EQ(catalogue().sherd(sherd)->state, records::SherdState::Numbered);
   EXPECT_FALSE(catalogue().sherd(sherd)->back);
 }
 
 TEST_F(Decisions, WhatWasMadeFromAnotherPairIsForgotten) {
-  const SherdRow sherd = catalogue().sherdRows(batch)->front();
-  Measurement length{sherd, "length", {}, 50, {}, "program", {}, "m"};
+  const store::SherdRow sherd = catalogue().sherdRows(batch)->front();
+  records::Measurement length{sherd, "length", {}, 50, {}, "program", {}, "m"};
   ASSERT_TRUE(catalogue().measure(length, {}));
-  Measurement weight{sherd, "weight", {}, 23.4, {}, "scale", {}, ""};
+  records::Measurement weight{sherd, "weight", {}, 23.4, {}, "scale", {}, ""};
   ASSERT_TRUE(catalogue().measure(weight, anna));
-  say(0, 1, Verdict::Accept);
+  say(0, 1, records::Verdict::Accept);
   EXPECT_EQ(valueOf(sherd, "length_mm"), "");
   EXPECT_EQ(valueOf(sherd, "weight_g"), "23.4") << "weighed by a person: it stays";
 }
 
 TEST_F(Decisions, WhatMakesNoSenseIsRefused) {
-  PairDecision turned = pair(0, 0, Verdict::Accept);
+  records::PairDecision turned = pair(0, 0, records::Verdict::Accept);
   std::swap(turned.front, turned.back);
   EXPECT_FALSE(catalogue().decide(turned, anna));
-  EXPECT_FALSE(catalogue().decide(pair(0, -1, Verdict::Accept), anna));
-  EXPECT_FALSE(catalogue().decide(pair(-1, -1, Verdict::Aside), anna));
-  PairDecision of_program;
+  EXPECT_FALSE(catalogue().decide(pair(0, -1, records::Verdict::Accept), anna));
+  EXPECT_FALSE(catalogue().decide(pair(-1, -1, records::Verdict::Aside), anna));
+  records::PairDecision of_program;
   of_program.batch = batch;
-  of_program.verdict = Verdict::Withdraw;
+  of_program.verdict = records::Verdict::Withdraw;
   of_program.replaces = catalogue().decisions(batch)->front().row;
   EXPECT_FALSE(catalogue().decide(of_program, anna)) << "reject it instead";
 }
 
 TEST_F(Decisions, TheListIsOnlyAddedTo) {
-  EXPECT_THROW(catalogue().database().script("UPDATE pair_decision SET note = 'x'"), SqlFailure);
-  EXPECT_THROW(catalogue().database().script("DELETE FROM pair_decision"), SqlFailure);
-  EXPECT_THROW(catalogue().database().script("DELETE FROM history"), SqlFailure);
-  EXPECT_THROW(catalogue().database().script("UPDATE history SET why = 'x'"), SqlFailure);
+  EXPECT_THROW(catalogue().database().script("UPDATE pair_decision SET note = 'x'"),
+               store::SqlFailure);
+  EXPECT_THROW(catalogue().database().script("DELETE FROM pair_decision"), store::SqlFailure);
+  EXPECT_THROW(catalogue().database().script("DELETE FROM history"), store::SqlFailure);
+  EXPECT_THROW(catalogue().database().script("UPDATE history SET why = 'x'"), store::SqlFailure);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ class EnterPhotographs : public SmallProject {
                 cv::Mat(12, 16, CV_8UC3, cv::Scalar(grey, grey, grey)));
   }
   Result<int> enter() {
-    return enterPhotographs(catalogue(), project_->folder(), batch, anna, quiet, {});
+    return intake::enterPhotographs(catalogue(), project_->folder(), batch, anna, quiet, {});
   }
-  BatchRow batch;
+  store::BatchRow batch;
   QuietProgress quiet;
 };
 
@@ -32,12 +32,12 @@ TEST_F(EnterPhotographs, GivesEachItsPlaceAndItsChecksum) {
   const Result<int> entered = enter();
   ASSERT_TRUE(entered) << entered.error().sentence();
   EXPECT_EQ(*entered, 8);
-  const std::vector<PhotographRecord> all = *catalogue().photographs(batch);
+  const std::vector<records::PhotographRecord> all = *catalogue().photographs(batch);
   ASSERT_EQ(all.size(), 8u);
   EXPECT_EQ(all[2].path, "batches/B0001/front/cam1_pos02.jpg");
   EXPECT_EQ(all[2].camera, 'B');
   EXPECT_EQ(all[2].stop, 2);
-  const std::vector<FileRecord> files = *catalogue().files(batch);
+  const std::vector<records::FileRecord> files = *catalogue().files(batch);
   ASSERT_EQ(files.size(), 8u);
   EXPECT_EQ(files[0].role, "photo");
   EXPECT_EQ(files[0].sha256.size(), 64u);
@@ -70,7 +70,7 @@ TEST_F(EnterPhotographs, KeepsWhatTheCameraAndTheCaptureWrote) {
   manifest.entries.push_back(entry);
   ASSERT_TRUE(capture::writeManifest(folder, manifest));
   ASSERT_TRUE(enter());
-  const std::vector<PhotographRecord> all = *catalogue().photographs(batch);
+  const std::vector<records::PhotographRecord> all = *catalogue().photographs(batch);
   EXPECT_EQ(all[2].exif_json, R"({"Orientation":6})");
   EXPECT_EQ(all[2].serial, "063021004567");
   EXPECT_EQ(all[2].angle_deg, 179.5);

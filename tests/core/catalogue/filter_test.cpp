@@ -32,8 +32,9 @@ class Filters : public SmallProject {
          {"condition", "burnt"}});
     add(context13, {}, {{"part", "body"}});
   }
-  void add(ContextRow in, BagRow of, const std::map<std::string, std::string>& fields) {
-    const SherdRow row = draft(in, of);
+  void add(store::ContextRow in, store::BagRow of,
+           const std::map<std::string, std::string>& fields) {
+    const store::SherdRow row = draft(in, of);
     EXPECT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
     for (const auto& [field, value] : fields) EXPECT_TRUE(set(row, field, value)) << field;
   }
@@ -43,7 +44,7 @@ class Filters : public SmallProject {
     return id.substr(id.size() - 8);
   }
   /// Last letters of the numbers: 12-0001 is "a", 12-0002 "b", 13-0001 "c", 13-0002 "d".
-  std::string letters(const std::string& line, const SherdOrder& order = {}) {
+  std::string letters(const std::string& line, const records::SherdOrder& order = {}) {
     std::string out;
     for (const std::string& number : found(line, order))
       out += number == "ARM1-T3-0012-0001"   ? 'a'
@@ -71,7 +72,7 @@ TEST_F(Filters, TheLineOfTheHandbookWorks) {
 }
 
 TEST_F(Filters, AnyIFindsAnyOtherAsInTurkish) {
-  const SherdRow row = *catalogue().sherdByNumber("ARM1-T3-0013-0002");
+  const store::SherdRow row = *catalogue().sherdByNumber("ARM1-T3-0013-0002");
   ASSERT_TRUE(set(row, "note", "İZNİK IŞIK, kırmızı"));
   for (const char* word : {"iznik", "İznik", "İZNİK", "IZNIK", "ışık", "IŞIK", "işik", "KIRMIZI",
                            "kırmızı", "kirmizi"})
@@ -110,7 +111,7 @@ TEST_F(Filters, FieldsAreComparedWhole) {
 }
 
 TEST_F(Filters, TermsAreFoundHoweverTheVocabularySpellsThem) {
-  std::vector<Term> wares = *catalogue().vocabulary("part");
+  std::vector<records::Term> wares = *catalogue().vocabulary("part");
   wares.push_back({"Terra Sigillata", {{"de", "Glanztonware"}}, {}});
   wares.push_back({"TS", {}, {}});
   ASSERT_TRUE(catalogue().setVocabulary("part", wares, anna));
@@ -134,7 +135,7 @@ TEST_F(Filters, AWordOfAnotherLanguageFindsTheTermThatItMeans) {
 TEST_F(Filters, TheCodeOfAPrintedLabelFindsItsSherd) {
   const std::string b = "ARM1-T3-0012-0002:" + labelEnd("ARM1-T3-0012-0002");
   EXPECT_EQ(letters("OST1:S:" + b), "b");
-  EXPECT_EQ(letters("ost1:s:" + uniqueKey(b)), "b") << "a reader set to small letters";
+  EXPECT_EQ(letters("ost1:s:" + store::uniqueKey(b)), "b") << "a reader set to small letters";
   const Result<Filter> filter = parseFilter("OST1:S:" + b);
   ASSERT_TRUE(filter);
   EXPECT_EQ(filter->text(), "label:OST1:S:" + b);
@@ -147,7 +148,7 @@ TEST_F(Filters, TheCodeOfAPrintedLabelFindsItsSherd) {
 
 TEST_F(Filters, ALabelFindsItsSherdWhateverItsNumberIs) {
   for (const char* number : {"12:7", "box 3: 7"}) {
-    const SherdRow row = numbered(context13);
+    const store::SherdRow row = numbered(context13);
     ASSERT_TRUE(set(row, "number", number));
     const std::string code = std::string("OST1:S:") + number + ":" + labelEnd(number);
     EXPECT_THAT(found(code), ElementsAre(number));
@@ -158,10 +159,10 @@ TEST_F(Filters, ALabelFindsItsSherdWhateverItsNumberIs) {
 }
 
 TEST_F(Filters, ALabelWithAPlaceOnThePlateFindsTheSherdThatLayThere) {
-  const BatchRow batch = newBatch({bag4});
-  const ScanRow front = scan(batch, batch::Side::Front, 1);
-  const ScanRow back = scan(batch, batch::Side::Back, 1);
-  SherdRecord sherd;
+  const store::BatchRow batch = newBatch({bag4});
+  const store::ScanRow front = scan(batch, batch::Side::Front, 1);
+  const store::ScanRow back = scan(batch, batch::Side::Back, 1);
+  records::SherdRecord sherd;
   sherd.context = context12;
   sherd.batch = batch;
   sherd.front = front;
@@ -189,7 +190,7 @@ TEST_F(Filters, TheOrderPutsWhatIsNotRecordedLast) {
   EXPECT_EQ(letters("", {"ware", false}), "bacd") << "R before g, as bytes; none last";
   EXPECT_EQ(letters("", {"bag", false}), "cabd");
   EXPECT_EQ(letters("", {"context", true}), "cdab");
-  for (const SherdField& field : sherdFields())
+  for (const records::SherdField& field : records::sherdFields())
     if (std::string(field.name) != "joins") {
       EXPECT_EQ(letters("", {field.name, false}).size(), 4u) << field.name;
     }

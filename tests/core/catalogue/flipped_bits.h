@@ -23,24 +23,24 @@ inline void writeBytes(const std::filesystem::path& file, const std::string& byt
 }
 
 /// Everything that the tables hold, and the texts of the search, as one text.
-inline Result<std::string> contentOf(Database& database) {
+inline Result<std::string> contentOf(store::Database& database) {
   return database.door([&] {
     std::string text;
     std::vector<std::string> tables;
-    Statement names = database.sql(
+    store::Statement names = database.sql(
         "SELECT name FROM pragma_table_list WHERE schema = 'main' AND type IN ('table', "
         "'virtual') AND name NOT LIKE 'sqlite_%' ORDER BY name");
     while (names.next()) names >> tables.emplace_back();
     for (const std::string& table : tables) {
       std::vector<std::string> columns;
-      Statement about = database.sql("SELECT name FROM pragma_table_info(?)");
+      store::Statement about = database.sql("SELECT name FROM pragma_table_info(?)");
       about.with(table);
       while (about.next()) about >> columns.emplace_back();
       std::string list;
       for (const std::string& column : columns)
         list += (list.empty() ? "" : ", ") + ("quote(\"" + column + "\")");
       text += table + "\n";
-      Statement rows = database.sql("SELECT " + list + " FROM \"" + table + "\"");
+      store::Statement rows = database.sql("SELECT " + list + " FROM \"" + table + "\"");
       while (rows.next()) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
           std::string value;
@@ -55,7 +55,7 @@ inline Result<std::string> contentOf(Database& database) {
 }
 
 inline Result<std::string> contentOf(const std::filesystem::path& project) {
-  const Result<Project> opened = Project::open(project);
+  const Result<upkeep::Project> opened = upkeep::Project::open(project);
   if (!opened) return opened.error();
   if (const Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole.error();
   return contentOf(opened->catalogue().database());
@@ -91,7 +91,7 @@ inline Flips flipBits(const std::filesystem::path& project, int flips, unsigned 
       ++(*now == content ? result.harmless : result.accepted);
       if (*now != content) unlike("accepted");
     } else if (++result.found % repaired_of == 0) {
-      const Result<RepairReport> repaired = repairCatalogue(project, quiet, {});
+      const Result<upkeep::RepairReport> repaired = upkeep::repairCatalogue(project, quiet, {});
       const Result<std::string> after = contentOf(project);
       const bool same = repaired && after && *after == content;
       ++(same ? result.restored : result.not_restored);

@@ -60,21 +60,21 @@ bool hasLeftovers(const fs::path& folder) {
 
 TEST(Killed, AProjectInTheMakingIsNoneAndIsMadeByTheSameCall) {
   const TemporaryFolder folder;
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
   Delays delays(3);
   int unfinished = 0;
   const auto enough = [&] { return delays.killed() > 10 && unfinished > 5; };
   for (int i = 0; i < kTries || (!enough() && i < kMostTries); ++i) {
     const fs::path place = folder.path() / ("p" + std::to_string(i));
-    delays.heard(killedAfter(delays.next(), [&] { (void)Project::create(place, record); }));
-    if (Project::isProject(place)) {
-      const Result<Project> open = Project::open(place);
+    delays.heard(killedAfter(delays.next(), [&] { (void)upkeep::Project::create(place, record); }));
+    if (upkeep::Project::isProject(place)) {
+      const Result<upkeep::Project> open = upkeep::Project::open(place);
       ASSERT_TRUE(open) << open.error().sentence();
       EXPECT_EQ(open->catalogue().project()->code, "ARM");
     } else {
       ++unfinished;
-      const Result<Project> made = Project::create(place, record);
+      const Result<upkeep::Project> made = upkeep::Project::create(place, record);
       ASSERT_TRUE(made) << made.error().sentence();
     }
     EXPECT_FALSE(hasLeftovers(place));
@@ -86,9 +86,9 @@ TEST(Killed, AProjectInTheMakingIsNoneAndIsMadeByTheSameCall) {
 TEST(Killed, AFolderWithSomethingInItIsStillRefusedAfterwards) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "batches/B0001");
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
-  EXPECT_FALSE(Project::create(folder.path(), record));
+  EXPECT_FALSE(upkeep::Project::create(folder.path(), record));
 }
 
 using KilledBackups = SmallProject;
@@ -102,13 +102,13 @@ TEST_F(KilledBackups, LeaveNothingWhenTheNextOneIsMade) {
   const auto enough = [&] { return delays.killed() > 10 && left > 3; };
   for (int i = 0; i < kTries || (!enough() && i < kMostTries); ++i) {
     delays.heard(
-        killedAfter(delays.next(), [&] { (void)valueIn(Project::open(folder)).backUp(); }));
+        killedAfter(delays.next(), [&] { (void)valueIn(upkeep::Project::open(folder)).backUp(); }));
     left += hasLeftovers(folder) ? 1 : 0;
-    const Result<Project> open = Project::open(folder);
+    const Result<upkeep::Project> open = upkeep::Project::open(folder);
     ASSERT_TRUE(open) << open.error().sentence();
     EXPECT_FALSE(hasLeftovers(folder));
     for (const fs::path& backup : open->backups()) {
-      const auto copy = Database::open(backup, Database::Mode::ReadOnly);
+      const auto copy = store::Database::open(backup, store::Database::Mode::ReadOnly);
       ASSERT_TRUE(copy) << backup;
     }
   }

@@ -23,7 +23,7 @@ TEST(LabelCode, IsReadFromBehind) {
 }
 
 TEST_F(LabelCodes, LeadABagBackToItsPlaceWhateverItsCodesAreByNow) {
-  const BagRecord bag = catalogue().bags(context12)->front();
+  const records::BagRecord bag = catalogue().bags(context12)->front();
   const std::string end = bag.id.substr(bag.id.size() - 8);
   const BagPlace place{"ARM1", "T3", "0012", "4"};
   EXPECT_EQ(*placeOfLabel(catalogue(), *readLabelCode("OST1:B:OLD-T3-0012-4:" + end)), place);
@@ -34,9 +34,9 @@ TEST_F(LabelCodes, LeadABagBackToItsPlaceWhateverItsCodesAreByNow) {
 TEST_F(LabelCodes, ABagIsMadeOnceInAnyCapitals) {
   EXPECT_EQ(*bagAt(catalogue(), {"ARM1", "T3", "0012", "4"}, anna), bag4);
   EXPECT_EQ(*bagAt(catalogue(), {" arm1", "t3 ", "0012", "4"}, anna), bag4);
-  const BagRow fresh = *bagAt(catalogue(), {"arm1", "t3", "0012", "4b"}, anna);
+  const store::BagRow fresh = *bagAt(catalogue(), {"arm1", "t3", "0012", "4b"}, anna);
   EXPECT_EQ(*bagAt(catalogue(), {"ARM1", "T3", "0012", "4B"}, anna), fresh);
-  const BagRow elsewhere = *bagAt(catalogue(), {"Hayk1", "", "7", "1"}, anna);
+  const store::BagRow elsewhere = *bagAt(catalogue(), {"Hayk1", "", "7", "1"}, anna);
   EXPECT_EQ(*bagAt(catalogue(), {"HAYK1", "", "7", "1"}, anna), elsewhere);
   EXPECT_EQ(catalogue().sites()->size(), 2u);
   EXPECT_FALSE(bagAt(catalogue(), {"NEW", "", "7", ""}, anna));

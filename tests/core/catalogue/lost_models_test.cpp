@@ -12,7 +12,7 @@
 namespace ostraka::catalogue {
 namespace {
 
-using pipeline::DecisionKind;
+using decisions::DecisionKind;
 
 // Three sherds, computed without any decision; those at 40 and 70 mm are fragments of one.
 class LostModels : public SmallProject {
@@ -23,10 +23,11 @@ class LostModels : public SmallProject {
     apart();
     enter();
   }
-  EnteredResults enter() {
-    return valueIn(enterResults(catalogue(), project_->folder(), batch, output, {}, quiet, {}));
+  intake::EnteredResults enter() {
+    return valueIn(
+        intake::enterResults(catalogue(), project_->folder(), batch, output, {}, quiet, {}));
   }
-  bool lost() { return valueIn(enterLostModels(project_->folder(), "B0001", quiet, {})); }
+  bool lost() { return valueIn(intake::enterLostModels(project_->folder(), "B0001", quiet, {})); }
   void apart() {
     results.places_mm = {{40, 0}, {70, 0}, {120, 0}};
     results.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}};
@@ -46,18 +47,18 @@ class LostModels : public SmallProject {
     report["decisions"] = decisions;
     ASSERT_TRUE(writeFileAtomically(output / "report.json", report.dump()));
   }
-  pipeline::PairDecision taken(DecisionKind kind, std::vector<pipeline::ScanRef> scans,
-                               std::vector<int> replaces = {}) {
-    pipeline::PairDecision d;
+  decisions::PairDecision taken(DecisionKind kind, std::vector<decisions::ScanRef> scans,
+                                std::vector<int> replaces = {}) {
+    decisions::PairDecision d;
     d.kind = kind;
     d.by = "AP";
     d.scans = std::move(scans);
     d.replaces = std::move(replaces);
-    d = valueIn(pipeline::appendDecision(output, d));
-    const Result<void> entered = enterDecision(catalogue(), "B0001", d, output);
+    d = valueIn(decisions::appendDecision(output, d));
+    const Result<void> entered = intake::enterDecision(catalogue(), "B0001", d, output);
     EXPECT_TRUE(entered) << entered.error().sentence();
     if (kind == DecisionKind::Withdraw) {
-      EXPECT_TRUE(forgetPiecesOf(catalogue(), "B0001", d, output));
+      EXPECT_TRUE(intake::forgetPiecesOf(catalogue(), "B0001", d, output));
     }
     return d;
   }
@@ -67,19 +68,19 @@ class LostModels : public SmallProject {
                  {{side, c + "001", {40, 0}, "first"}, {side, c + "002", {70, 0}, "first"}})
         .number;
   }
-  std::vector<SherdRecord> sherds() {
+  std::vector<records::SherdRecord> sherds() {
     return valueIn(catalogue().sherds(valueIn(catalogue().sherdRows(batch))));
   }
   /// With the piece at 40 mm, or with what it was joined to; a draft without a back is void.
-  SherdRecord first() {
-    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+  records::SherdRecord first() {
+    for (const records::ScanRecord& scan : valueIn(catalogue().scans(batch)))
       if (scan.name == "f001")
-        for (const SherdRecord& sherd : sherds())
+        for (const records::SherdRecord& sherd : sherds())
           if (sherd.front == scan.row) return sherd;
     return {};
   }
   std::int64_t historyLength() { return catalogue().historyLength(); }
-  BatchRow batch;
+  store::BatchRow batch;
   std::filesystem::path output;
   ResultFolder results;
   QuietProgress quiet;
@@ -87,8 +88,8 @@ class LostModels : public SmallProject {
 
 // It waits to be computed again, or its back lies under the cameras again.
 TEST_F(LostModels, ComeBackWithoutChangingWhatBecomesOfTheBatch) {
-  for (const BatchState state :
-       {BatchState::Queued, BatchState::Flipped, BatchState::Failed, BatchState::Done}) {
+  for (const records::BatchState state : {records::BatchState::Queued, records::BatchState::Flipped,
+                                          records::BatchState::Failed, records::BatchState::Done}) {
     const int pair = taken(DecisionKind::Pair, {{batch::Side::Front, "f001", {40, 0}, "first"},
                                                 {batch::Side::Back, "b003", {120, 0}, "first"}})
                          .number;
@@ -103,8 +104,8 @@ TEST_F(LostModels, ComeBackWithoutChangingWhatBecomesOfTheBatch) {
 
 // The same pair is decided again: what was computed of it is its model still.
 TEST_F(LostModels, ComeBackWithADecisionThatIsDoneAgain) {
-  const std::vector<pipeline::ScanRef> scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
-                                                {batch::Side::Back, "b002", {70, 0}, "first"}};
+  const std::vector<decisions::ScanRef> scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
+                                                 {batch::Side::Back, "b002", {70, 0}, "first"}};
   const int pair = taken(DecisionKind::Pair, scans).number;
   results.pairs() = {{1, 2, false, "AP"}, {3, 3, false}};
   write({pair});
@@ -112,9 +113,9 @@ TEST_F(LostModels, ComeBackWithADecisionThatIsDoneAgain) {
   ASSERT_NE(first().model_path, "");
   taken(DecisionKind::Withdraw, {}, {pair});
   EXPECT_EQ(first().model_path, "");
-  EXPECT_TRUE(pipeline::wantsComputing(output));
+  EXPECT_TRUE(review::wantsComputing(output));
   taken(DecisionKind::Pair, scans);
-  EXPECT_FALSE(pipeline::wantsComputing(output)) << "so that the review lets models come back";
+  EXPECT_FALSE(review::wantsComputing(output)) << "so that the review lets models come back";
   EXPECT_TRUE(lost());
   EXPECT_NE(first().model_path, "");
   EXPECT_TRUE(first().measures.contains("length"));
@@ -132,9 +133,9 @@ TEST_F(LostModels, AreThoseOfAJoinThatWasTakenBackWhileItWasComputed) {
   EXPECT_EQ(first().model_path, "") << "of two pieces that nobody wants joined";
   EXPECT_FALSE(first().measures.contains("length"));
   EXPECT_TRUE(catalogue().files(first().row)->empty());
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
-  for (const SherdRecord& sherd : sherds())
-    if (sherd.state != SherdState::Void && sherd.number.empty()) {
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
+  for (const records::SherdRecord& sherd : sherds())
+    if (sherd.state != records::SherdState::Void && sherd.number.empty()) {
       EXPECT_NE(sherd.model_path, "") << "that of the third";
     }
   const std::int64_t before = historyLength();
@@ -143,7 +144,7 @@ TEST_F(LostModels, AreThoseOfAJoinThatWasTakenBackWhileItWasComputed) {
 
   join(batch::Side::Front);
   join(batch::Side::Back);
-  EXPECT_FALSE(pipeline::wantsComputing(output)) << "the results are of this join still";
+  EXPECT_FALSE(review::wantsComputing(output)) << "the results are of this join still";
   EXPECT_TRUE(lost());
   EXPECT_NE(first().model_path, "");
   EXPECT_TRUE(first().measures.contains("length"));

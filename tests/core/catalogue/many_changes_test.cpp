@@ -39,12 +39,12 @@ class ManyChanges : public SmallProject {
   }
   int withWare() {
     int count = 0;
-    for (const SherdRecord& sherd : valueIn(catalogue().sherds(rows)))
+    for (const records::SherdRecord& sherd : valueIn(catalogue().sherds(rows)))
       count += sherd.ware == "grey";
     return count;
   }
-  std::vector<SherdRow> rows;
-  std::vector<FieldChange> changes;
+  std::vector<store::SherdRow> rows;
+  std::vector<records::FieldChange> changes;
 };
 
 TEST_F(ManyChanges, AreMadeInSeveralStepsAndUndoneByWhatComesBack) {
@@ -81,7 +81,7 @@ TEST_F(ManyChanges, OneThatIsRefusedTakesAllBack) {
 
 TEST_F(ManyChanges, OfOneSherdStayTogether) {
   // The parts of a place are looked at together; they must not fall into two transactions.
-  std::vector<FieldChange> moves(changes.begin(), changes.begin() + 99);
+  std::vector<records::FieldChange> moves(changes.begin(), changes.begin() + 99);
   for (const char* field : {"site", "trench", "context"})
     moves.push_back({rows[249], field,
                      std::string_view(field) == "site"     ? "ARM1"

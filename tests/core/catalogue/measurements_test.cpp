@@ -14,11 +14,11 @@ class Measurements : public SmallProject {
   }
   int rows() {
     int count = 0;
-    Statement all = catalogue().database().sql("SELECT count(*) FROM measurement");
+    store::Statement all = catalogue().database().sql("SELECT count(*) FROM measurement");
     if (all.next()) all >> count;
     return count;
   }
-  SherdRow sherd;
+  store::SherdRow sherd;
 };
 
 TEST_F(Measurements, ANewValueIsANewRowAndCounts) {
@@ -26,7 +26,7 @@ TEST_F(Measurements, ANewValueIsANewRowAndCounts) {
   program(61.5, "m2");
   EXPECT_EQ(valueOf(sherd, "length_mm"), "61.5");
   EXPECT_EQ(rows(), 2);
-  const std::vector<Measurement> now = *catalogue().measurements(sherd);
+  const std::vector<records::Measurement> now = *catalogue().measurements(sherd);
   ASSERT_EQ(now.size(), 1u);
   EXPECT_EQ(now[0].unit, "mm");
   EXPECT_EQ(now[0].model_sha256, "m2");
@@ -51,10 +51,10 @@ TEST_F(Measurements, APersonsStaysAboveTheProgramsUntilItIsTakenAway) {
 
 TEST_F(Measurements, UndoingAPersonsBringsTheProgramsBackWithItsMethod) {
   program(61.42, "m1");
-  const Result<std::vector<FieldChange>> undo = set(sherd, "length_mm", "62");
+  const Result<std::vector<records::FieldChange>> undo = set(sherd, "length_mm", "62");
   ASSERT_TRUE(undo);
   ASSERT_TRUE(catalogue().change(*undo, anna));
-  const Measurement now = catalogue().measurements(sherd)->front();
+  const records::Measurement now = catalogue().measurements(sherd)->front();
   EXPECT_EQ(now.value, 61.42);
   EXPECT_EQ(now.method, "program");
   EXPECT_EQ(now.model_sha256, "m1");
@@ -63,22 +63,23 @@ TEST_F(Measurements, UndoingAPersonsBringsTheProgramsBackWithItsMethod) {
 
 TEST_F(Measurements, OfAPersonWithoutANameStayAboveTheProgramsToo) {
   program(61.42, "m1");
-  const FieldChange typed{sherd, "length_mm", "62", Confirmation::Given};
+  const records::FieldChange typed{sherd, "length_mm", "62", records::Confirmation::Given};
   ASSERT_TRUE(catalogue().change(std::span(&typed, 1), {}));
   program(61.44, "m2");
   EXPECT_EQ(valueOf(sherd, "length_mm"), "62");
-  const std::vector<Measurement> by_hand = *catalogue().measuredByHand(std::span(&sherd, 1));
+  const std::vector<records::Measurement> by_hand =
+      *catalogue().measuredByHand(std::span(&sherd, 1));
   ASSERT_EQ(by_hand.size(), 1u);
   EXPECT_EQ(by_hand[0].value, 62);
 }
 
 TEST_F(Measurements, UndoingAPersonsBringsWhatTheProgramSaysOfTheModelThatIsThereNow) {
   program(60.2, "m1");
-  const Result<std::vector<FieldChange>> undo = set(sherd, "length_mm", "62");
+  const Result<std::vector<records::FieldChange>> undo = set(sherd, "length_mm", "62");
   ASSERT_TRUE(undo);
   program(60.9, "m2");
   ASSERT_TRUE(catalogue().change(*undo, anna));
-  const Measurement now = catalogue().measurements(sherd)->front();
+  const records::Measurement now = catalogue().measurements(sherd)->front();
   EXPECT_EQ(now.value, 60.9);
   EXPECT_EQ(now.model_sha256, "m2");
 }
@@ -87,7 +88,7 @@ TEST_F(Measurements, ThatEqualAnEarlierModelsAreThePersonsAllTheSame) {
   program(60.2, "m1");
   program(60.9, "m2");
   ASSERT_TRUE(set(sherd, "length_mm", "60.2"));
-  const Measurement now = catalogue().measurements(sherd)->front();
+  const records::Measurement now = catalogue().measurements(sherd)->front();
   EXPECT_EQ(now.value, 60.2);
   EXPECT_EQ(now.method, "calliper");
   EXPECT_EQ(now.by, anna.person);

@@ -9,18 +9,18 @@ using testing::ElementsAre;
 using Numbers = SmallProject;
 
 TEST_F(Numbers, AreProposedPerContextAndGivenInTheSameOrder) {
-  const std::vector<SherdRow> rows = {draft(context12), draft(context13), draft(context12)};
+  const std::vector<store::SherdRow> rows = {draft(context12), draft(context13), draft(context12)};
   const auto expected = ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0013-0001", "ARM1-T3-0012-0002");
   EXPECT_THAT(*catalogue().proposeNumbers(rows), expected);
   EXPECT_THAT(*catalogue().proposeNumbers(rows), expected) << "a proposal reserves nothing";
   EXPECT_THAT(*catalogue().assignNumbers(rows, anna), expected);
-  EXPECT_EQ(catalogue().sherd(rows[2])->state, SherdState::Numbered);
+  EXPECT_EQ(catalogue().sherd(rows[2])->state, records::SherdState::Numbered);
 }
 
 TEST_F(Numbers, AreNeverUsedAgain) {
-  const SherdRow a = numbered(context12), b = draft(context12);
+  const store::SherdRow a = numbered(context12), b = draft(context12);
   ASSERT_TRUE(set(a, "number", "OLD-7"));
-  const Result<std::vector<FieldChange>> taken = set(b, "number", "ARM1-T3-0012-0001");
+  const Result<std::vector<records::FieldChange>> taken = set(b, "number", "ARM1-T3-0012-0001");
   ASSERT_FALSE(taken);
   EXPECT_NE(taken.error().what.find("assigned before"), std::string::npos);
   EXPECT_THAT(*catalogue().assignNumbers(std::span(&b, 1), anna), ElementsAre("ARM1-T3-0012-0002"));
@@ -30,18 +30,18 @@ TEST_F(Numbers, AreNeverUsedAgain) {
 }
 
 TEST_F(Numbers, DifferOnlyIfTheyDifferForPeopleAndForFiles) {
-  const SherdRow a = draft(context12), b = draft(context12);
+  const store::SherdRow a = draft(context12), b = draft(context12);
   ASSERT_TRUE(set(a, "number", "É-1"));
   EXPECT_FALSE(set(b, "number", "é-1"));
   EXPECT_FALSE(set(b, "number", "E\xCC\x81-1"));
   ASSERT_TRUE(set(a, "number", "A/1"));
-  const Result<std::vector<FieldChange>> same_file = set(b, "number", "A_1");
+  const Result<std::vector<records::FieldChange>> same_file = set(b, "number", "A_1");
   ASSERT_FALSE(same_file);
   EXPECT_NE(same_file.error().what.find("same names as those of A/1"), std::string::npos);
 }
 
 TEST_F(Numbers, TypedByHandInTheSchemesFormAreCounted) {
-  const SherdRow a = draft(context12);
+  const store::SherdRow a = draft(context12);
   ASSERT_TRUE(set(a, "number", "ARM1-T3-0012-0041"));
   EXPECT_THAT(*catalogue().proposeNumbers(std::vector{draft(context12)}),
               ElementsAre("ARM1-T3-0012-0042"));
@@ -52,10 +52,10 @@ TEST_F(Numbers, TypedByHandInTheSchemesFormAreCounted) {
 }
 
 TEST_F(Numbers, UndoneComeBackToTheSameSherd) {
-  const SherdRow a = draft(context12), b = draft(context12);
+  const store::SherdRow a = draft(context12), b = draft(context12);
   ASSERT_TRUE(catalogue().assignNumbers(std::span(&a, 1), anna));
   ASSERT_TRUE(set(a, "number", ""));
-  EXPECT_EQ(catalogue().sherd(a)->state, SherdState::Draft);
+  EXPECT_EQ(catalogue().sherd(a)->state, records::SherdState::Draft);
   EXPECT_THAT(*catalogue().assignNumbers(std::span(&b, 1), anna), ElementsAre("ARM1-T3-0012-0002"));
   EXPECT_THAT(*catalogue().assignNumbers(std::span(&a, 1), anna), ElementsAre("ARM1-T3-0012-0001"));
 }
@@ -63,7 +63,7 @@ TEST_F(Numbers, UndoneComeBackToTheSameSherd) {
 TEST_F(Numbers, OfTwoComputersComeFromTwoBlocks) {
   ASSERT_TRUE(catalogue().setSetting("numbering.first", "5001"));
   ASSERT_TRUE(catalogue().setSetting("numbering.last", "5002"));
-  const std::vector<SherdRow> two = {draft(context12), draft(context12)};
+  const std::vector<store::SherdRow> two = {draft(context12), draft(context12)};
   EXPECT_THAT(*catalogue().assignNumbers(two, anna),
               ElementsAre("ARM1-T3-0012-5001", "ARM1-T3-0012-5002"));
   const Result<std::vector<std::string>> none =
@@ -75,7 +75,7 @@ TEST_F(Numbers, OfTwoComputersComeFromTwoBlocks) {
 TEST_F(Numbers, NeedThePlaceThatTheSchemeNames) {
   const Result<std::vector<std::string>> none = catalogue().proposeNumbers(std::vector{draft({})});
   ASSERT_FALSE(none);
-  ProjectRecord record = *catalogue().project();
+  records::ProjectRecord record = *catalogue().project();
   record.numbering = "P{yyyy}.{n:05}";
   ASSERT_TRUE(catalogue().setProject(record, anna));
   EXPECT_THAT(*catalogue().proposeNumbers(std::vector{draft(context12)}),
@@ -83,19 +83,19 @@ TEST_F(Numbers, NeedThePlaceThatTheSchemeNames) {
 }
 
 TEST_F(Numbers, FollowAChangedSchemeAndNeverDouble) {
-  const SherdRow first = numbered(context12), second = numbered(context12);
-  ProjectRecord record = *catalogue().project();
+  const store::SherdRow first = numbered(context12), second = numbered(context12);
+  records::ProjectRecord record = *catalogue().project();
   record.numbering = "{site}-{trench}-{context}-{n:02}";
   ASSERT_TRUE(catalogue().setProject(record, anna));
-  const SherdRow narrow = numbered(context12);
+  const store::SherdRow narrow = numbered(context12);
   EXPECT_EQ(valueOf(narrow, "number"), "ARM1-T3-0012-03") << "the same count, another width";
   record.numbering = "{context}/{n}";
   ASSERT_TRUE(catalogue().setProject(record, anna));
   // Typed by hand before in what is now the scheme's form, and once more by its file's name.
-  const SherdRow typed = draft(context13), other = draft(context13);
+  const store::SherdRow typed = draft(context13), other = draft(context13);
   ASSERT_TRUE(set(typed, "number", "0012/1"));
   ASSERT_TRUE(set(other, "number", "0012_2"));
-  const SherdRow third = numbered(context12);
+  const store::SherdRow third = numbered(context12);
   EXPECT_EQ(valueOf(third, "number"), "0012/3");
   EXPECT_EQ(valueOf(first, "number"), "ARM1-T3-0012-0001") << "what was numbered stays";
   EXPECT_EQ(valueOf(second, "number"), "ARM1-T3-0012-0002");
@@ -107,7 +107,7 @@ TEST_F(Numbers, FollowAChangedSchemeAndNeverDouble) {
 
 TEST_F(Numbers, GivenByTwoConnectionsAtOnceAreStillDifferent) {
   Catalogue other = *project_->connect();
-  const SherdRow a = draft(context12), b = draft(context12);
+  const store::SherdRow a = draft(context12), b = draft(context12);
   EXPECT_EQ(catalogue().proposeNumbers(std::span(&a, 1))->front(),
             other.proposeNumbers(std::span(&b, 1))->front());
   EXPECT_NE(catalogue().assignNumbers(std::span(&a, 1), anna)->front(),

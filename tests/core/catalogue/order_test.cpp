@@ -6,9 +6,9 @@ namespace ostraka::catalogue {
 namespace {
 
 // Which index a query of the order is read from.
-std::string planOf(Database& database, const std::string& query) {
+std::string planOf(store::Database& database, const std::string& query) {
   std::string plan;
-  Statement rows = database.sql("EXPLAIN QUERY PLAN " + query);
+  store::Statement rows = database.sql("EXPLAIN QUERY PLAN " + query);
   while (rows.next()) {
     int skipped = 0;
     std::string detail;
@@ -21,8 +21,8 @@ std::string planOf(Database& database, const std::string& query) {
 TEST(Order, OfTheShownRowsComesFromIndexesAlone) {
   const TemporaryFolder folder;
   const auto database =
-      std::move(*Database::open(folder.path() / "c.sqlite", Database::Mode::Create));
-  ASSERT_TRUE(migrate(*database, migrations(), {}));
+      std::move(*store::Database::open(folder.path() / "c.sqlite", store::Database::Mode::Create));
+  ASSERT_TRUE(store::migrate(*database, store::migrations(), {}));
   for (const char* query :
        {"SELECT s.row FROM sherd s WHERE NOT (s.state = 'void' AND s.number = '') ORDER BY "
         "s.number_sort, s.row",
@@ -40,15 +40,15 @@ TEST(Order, OfTheShownRowsComesFromIndexesAlone) {
 TEST(Order, AnOlderCatalogueGetsItsIndexesAndKeepsItsRows) {
   const TemporaryFolder folder;
   const auto database =
-      std::move(*Database::open(folder.path() / "c.sqlite", Database::Mode::Create));
-  ASSERT_TRUE(migrate(*database, migrations().first(1), {}));
+      std::move(*store::Database::open(folder.path() / "c.sqlite", store::Database::Mode::Create));
+  ASSERT_TRUE(store::migrate(*database, store::migrations().first(1), {}));
   database->script(
       "INSERT INTO sherd (id, created_at, updated_at, number, number_sort, ware) VALUES "
       "('a', 1, 1, '', 'z', 'grey'), ('b', 1, 1, '', 'y', 'grey');"
       "INSERT INTO sherd (id, created_at, updated_at, state, number_sort) VALUES "
       "('c', 1, 1, 'void', 'x');");
-  ASSERT_TRUE(migrate(*database, migrations(), []() -> Result<void> { return {}; }));
-  Statement rows = database->sql(
+  ASSERT_TRUE(store::migrate(*database, store::migrations(), []() -> Result<void> { return {}; }));
+  store::Statement rows = database->sql(
       "SELECT group_concat(id, '') FROM (SELECT id FROM sherd INDEXED BY sherd_number WHERE NOT "
       "(state = 'void' AND number = '') ORDER BY number_sort)");
   std::string ids;
@@ -60,8 +60,8 @@ TEST(Order, AnOlderCatalogueGetsItsIndexesAndKeepsItsRows) {
 class Ordered : public SmallProject {
  protected:
   Ordered() {
-    for (const ContextRow& in : {context12, context12, context13, context13}) {
-      const SherdRow row = numbered(in);
+    for (const store::ContextRow& in : {context12, context12, context13, context13}) {
+      const store::SherdRow row = numbered(in);
       rows.push_back(row);
     }
     EXPECT_TRUE(set(rows[0], "ware", "red"));
@@ -81,7 +81,7 @@ class Ordered : public SmallProject {
         if (catalogue().sherd(rows[i])->number == number) out += static_cast<char>('0' + i);
     return out;
   }
-  std::vector<SherdRow> rows;
+  std::vector<store::SherdRow> rows;
 };
 
 TEST_F(Ordered, TiesGoByNumberAndWhatIsNotRecordedComesLastBothWays) {

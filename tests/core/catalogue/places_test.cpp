@@ -6,7 +6,7 @@ namespace {
 using Places = SmallProject;
 
 TEST_F(Places, AreReadBackAsTheyWereSaved) {
-  const std::vector<ContextRecord> contexts = *catalogue().contexts();
+  const std::vector<records::ContextRecord> contexts = *catalogue().contexts();
   ASSERT_EQ(contexts.size(), 2u);
   EXPECT_EQ(contexts[0].number, "0012");
   EXPECT_EQ(contexts[0].site_code, "ARM1");
@@ -17,14 +17,14 @@ TEST_F(Places, AreReadBackAsTheyWereSaved) {
 }
 
 TEST_F(Places, NoPlaceIsThereTwice) {
-  SiteRecord s;
+  records::SiteRecord s;
   s.code = "arm1";
   EXPECT_FALSE(catalogue().save(s, anna)) << "capitals make no difference";
-  TrenchRecord t;
+  records::TrenchRecord t;
   t.site = site;
   t.code = "T3";
   EXPECT_FALSE(catalogue().save(t, anna));
-  ContextRecord c;
+  records::ContextRecord c;
   c.site = site;
   c.trench = trench;
   c.number = "0012";
@@ -35,17 +35,17 @@ TEST_F(Places, NoPlaceIsThereTwice) {
   c.trench = {};
   EXPECT_TRUE(catalogue().save(c, anna)) << "directly in the site";
   EXPECT_FALSE(catalogue().save(c, anna));
-  BagRecord b;
+  records::BagRecord b;
   b.context = context12;
   b.number = "4";
   EXPECT_FALSE(catalogue().save(b, anna));
-  EXPECT_FALSE(catalogue().save(PersonRecord{{}, {}, "Another", "ap", {}}, anna));
+  EXPECT_FALSE(catalogue().save(records::PersonRecord{{}, {}, "Another", "ap", {}}, anna));
 }
 
 TEST_F(Places, APersonIsKnownByInitialsInAnyCapitals) {
   EXPECT_EQ(*catalogue().personByInitials("ap", {}), anna.person);
   EXPECT_EQ(*catalogue().personByInitials(" AP ", {}), anna.person);
-  const Result<PersonRow> fresh = catalogue().personByInitials("b\u00e9", {});
+  const Result<store::PersonRow> fresh = catalogue().personByInitials("b\u00e9", {});
   ASSERT_TRUE(fresh);
   EXPECT_EQ(*catalogue().personByInitials("BE\u0301", {}), *fresh) << "composed or not";
   EXPECT_EQ(catalogue().persons()->size(), 2u);
@@ -53,12 +53,12 @@ TEST_F(Places, APersonIsKnownByInitialsInAnyCapitals) {
 }
 
 TEST_F(Places, WhatCannotBeIsRefused) {
-  SiteRecord s;
+  records::SiteRecord s;
   EXPECT_FALSE(catalogue().save(s, anna)) << "no code";
   s.code = "X";
   s.latitude_deg = 91;
   EXPECT_FALSE(catalogue().save(s, anna));
-  ContextRecord c;
+  records::ContextRecord c;
   c.site = site;
   c.number = "7";
   c.excavated_on = "yesterday";
@@ -71,7 +71,7 @@ TEST_F(Places, WhatCannotBeIsRefused) {
   EXPECT_FALSE(catalogue().save(c, anna));
   c.kind = "layer";
   EXPECT_TRUE(catalogue().save(c, anna));
-  BagRecord b;
+  records::BagRecord b;
   b.context = context12;
   b.number = "9";
   b.weight_g = 0;
@@ -79,12 +79,12 @@ TEST_F(Places, WhatCannotBeIsRefused) {
 }
 
 TEST_F(Places, AChangeIsInTheHistoryOnce) {
-  SiteRecord s = catalogue().sites()->front();
+  records::SiteRecord s = catalogue().sites()->front();
   s.name = "Long hill";
   s.latitude_deg = 40.1;
   ASSERT_TRUE(catalogue().save(s, anna));
   ASSERT_TRUE(catalogue().save(s, anna)) << "saving the same again is no change";
-  const std::vector<HistoryEntry> history = *catalogue().history("site", s.row.value);
+  const std::vector<records::HistoryEntry> history = *catalogue().history("site", s.row.value);
   ASSERT_EQ(history.size(), 3u);  // newest first: latitude, name, and that it was added
   EXPECT_EQ(history[0].field, "latitude_deg");
   EXPECT_EQ(history[0].new_value, "40.1");
@@ -95,7 +95,7 @@ TEST_F(Places, AChangeIsInTheHistoryOnce) {
 
 TEST_F(Places, SherdsAreFoundByTheNewNameOfTheirContext) {
   numbered(context12);
-  ContextRecord c = catalogue().contexts()->front();
+  records::ContextRecord c = catalogue().contexts()->front();
   c.number = "pit 77";
   ASSERT_TRUE(catalogue().save(c, anna));
   EXPECT_EQ(found("\"pit 77\"").size(), 1u);

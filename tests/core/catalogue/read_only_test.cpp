@@ -50,10 +50,10 @@ class ReadOnlyProject : public SmallProject {
   }
 
   static int look(const fs::path& folder, std::size_t sherds) {
-    const Result<Project> open = Project::open(folder);
+    const Result<upkeep::Project> open = upkeep::Project::open(folder);
     if (!open) return std::fprintf(stderr, "%s\n", open.error().sentence().c_str()), 1;
     if (!open->catalogue().readOnly()) return 2;
-    const Result<std::vector<SherdRow>> rows = open->catalogue().sherdRows({}, {});
+    const Result<std::vector<store::SherdRow>> rows = open->catalogue().sherdRows({}, {});
     if (!rows || rows->size() != sherds) return 3;
     if (!open->catalogue().checkIntegrity()) return 4;
     const Result<Catalogue> other = open->connect();
@@ -72,7 +72,7 @@ TEST_F(ReadOnlyProject, SaysWhatAKilledProcessSavedLast) {
   project_.reset();
   const pid_t child = ::fork();
   if (child == 0) {
-    project_ = std::make_unique<Project>(*Project::open(place));
+    project_ = std::make_unique<upkeep::Project>(*upkeep::Project::open(place));
     for (int i = 0; i < 5; ++i) numbered(context12);
     ::_exit(0);
   }
@@ -88,11 +88,11 @@ TEST_F(ReadOnlyProject, IsReadBesideAProgramThatWritesToIt) {
 }
 
 TEST_F(ReadOnlyProject, RefusesChangesInASentence) {
-  const SherdRow sherd = numbered(context12);
+  const store::SherdRow sherd = numbered(context12);
   project_.reset();
   EXPECT_EQ(withoutPrivileges([&] {
-              Project open = valueIn(Project::open(folder()));
-              const FieldChange change{sherd, "ware", "grey"};
+              upkeep::Project open = valueIn(upkeep::Project::open(folder()));
+              const records::FieldChange change{sherd, "ware", "grey"};
               const auto changed = open.catalogue().change(std::span(&change, 1), {});
               if (changed || changed.error().code != ErrorCode::CannotWrite) return 1;
               return open.backUp() ? 2 : 0;
@@ -104,7 +104,7 @@ TEST_F(ReadOnlyProject, OfAnOlderVersionAsksForACopy) {
   project_->catalogue().database().script("PRAGMA user_version = 7");
   project_.reset();
   EXPECT_EQ(withoutPrivileges([&] {
-              const Result<Project> open = Project::open(folder());
+              const Result<upkeep::Project> open = upkeep::Project::open(folder());
               return !open && open.error().what.find("older Ostraka") != std::string::npos ? 0 : 1;
             }),
             0);

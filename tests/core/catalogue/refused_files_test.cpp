@@ -15,12 +15,12 @@ class RefusedFiles : public SmallProject {
   fs::path folder() const { return folder_.path() / "project"; }
   fs::path file() const { return folder() / "catalogue.sqlite"; }
   void expectRefused(const char* why) {
-    const Result<Project> opened = Project::open(folder());
+    const Result<upkeep::Project> opened = upkeep::Project::open(folder());
     ASSERT_FALSE(opened) << why;
     EXPECT_EQ(opened.error().code, ErrorCode::Damaged) << opened.error().sentence();
     EXPECT_NE(opened.error().what.find(why), std::string::npos) << opened.error().sentence();
     EXPECT_NE(opened.error().what.find("catalogue repair"), std::string::npos);
-    EXPECT_FALSE(Project::connect(folder())) << why;
+    EXPECT_FALSE(upkeep::Project::connect(folder())) << why;
   }
 };
 
@@ -57,7 +57,7 @@ TEST_F(RefusedFiles, ACatalogueWithoutAProjectIsRefused) {
 TEST_F(RefusedFiles, AFileThatNobodyMadeACatalogueOfIsRefused) {
   project_.reset();
   fs::remove(file());
-  Database::open(file(), Database::Mode::Create)
+  store::Database::open(file(), store::Database::Mode::Create)
       .value()
       ->script("PRAGMA application_id = 1330861138");
   expectRefused("the file contains no catalogue");
@@ -66,7 +66,7 @@ TEST_F(RefusedFiles, AFileThatNobodyMadeACatalogueOfIsRefused) {
 TEST_F(RefusedFiles, TheFileOfAnotherProgramIsRefused) {
   project_.reset();
   fs::remove(file());
-  Database::open(file(), Database::Mode::Create)
+  store::Database::open(file(), store::Database::Mode::Create)
       .value()
       ->script("CREATE TABLE song (name TEXT); PRAGMA user_version = 8; PRAGMA application_id = 7");
   expectRefused("the file belongs to another program");
@@ -84,12 +84,12 @@ TEST_F(RefusedFiles, BackupsOfAMuchLargerCatalogueNeverMakeRoom) {
   const fs::path large = *project_->backUp();
   project_.reset();
   fs::remove(file());
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "NEW";
   for (const char* name : {"batches", "results"}) fs::remove_all(folder() / name);
-  ASSERT_TRUE(Project::create(folder_.path() / "other", record));
+  ASSERT_TRUE(upkeep::Project::create(folder_.path() / "other", record));
   fs::copy_file(folder_.path() / "other/catalogue.sqlite", file());
-  Project small = valueIn(Project::open(folder()));
+  upkeep::Project small = valueIn(upkeep::Project::open(folder()));
   for (int i = 0; i < 25; ++i) ASSERT_TRUE(small.backUp(3, 0));
   EXPECT_TRUE(fs::exists(large));
   EXPECT_EQ(small.backups().size(), 4u);

@@ -78,7 +78,7 @@ class ResultFolder {
     }
     for (const char* side : {"front", "back"})
       std::filesystem::remove_all(out_ / "work" / ("scans_" + std::string(side)));
-    pipeline::CandidateTable table;
+    decisions::CandidateTable table;
     for (std::size_t i = 0; i < places_mm.size(); ++i) {
       PointCloud cloud;
       for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-1, -1), {1, -1}, {0, 2}})
@@ -93,7 +93,7 @@ class ResultFolder {
       put(out_ / "work/scans_back" / (name('b', n) + ".ply"), formatPly(cloud, "plate_back"));
     }
     if (!photographs.empty())
-      put(out_ / "work/pairs/candidates.json", pipeline::toJson(table).dump());
+      put(out_ / "work/pairs/candidates.json", decisions::toJson(table).dump());
     put(out_ / "pairs.json", ordered_json({{"unit", "mm"}, {"pairs", pairs}}).dump());
     put(out_ / "report.json",
         ordered_json(

@@ -8,9 +8,9 @@ namespace {
 using Changes = SmallProject;
 
 TEST_F(Changes, AreAllOrNothing) {
-  const SherdRow a = numbered(context12), b = numbered(context12);
-  const std::vector<FieldChange> changes = {{a, "ware", "grey"}, {b, "part", "wing"}};
-  const Result<std::vector<FieldChange>> done = catalogue().change(changes, anna);
+  const store::SherdRow a = numbered(context12), b = numbered(context12);
+  const std::vector<records::FieldChange> changes = {{a, "ware", "grey"}, {b, "part", "wing"}};
+  const Result<std::vector<records::FieldChange>> done = catalogue().change(changes, anna);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().where, "ARM1-T3-0012-0002") << "the sherd that it is about";
   EXPECT_NE(done.error().what.find("'wing' is not a term"), std::string::npos);
@@ -18,11 +18,11 @@ TEST_F(Changes, AreAllOrNothing) {
 }
 
 TEST_F(Changes, ThePreviewShowsWhatWouldBeAndWhatIsRefused) {
-  const SherdRow a = numbered(context12), b = numbered(context12);
-  const std::vector<FieldChange> changes = {
+  const store::SherdRow a = numbered(context12), b = numbered(context12);
+  const std::vector<records::FieldChange> changes = {
       {a, "part", " RIM ; neck"},         {b, "munsell_out", "brown"}, {b, "length_mm", "61,42"},
       {b, "number", "ARM1-T3-0012-0001"}, {b, "area_mm2", "5"},        {b, "colour", "red"}};
-  const std::vector<ChangePreview> shown = *catalogue().preview(changes);
+  const std::vector<records::ChangePreview> shown = *catalogue().preview(changes);
   ASSERT_EQ(shown.size(), 6u);
   EXPECT_EQ(shown[0].new_value, "rim; neck");
   EXPECT_EQ(shown[0].refusal, "");
@@ -36,27 +36,27 @@ TEST_F(Changes, ThePreviewShowsWhatWouldBeAndWhatIsRefused) {
 }
 
 TEST_F(Changes, CanBeUndoneAndDoneAgainWithTheirHistory) {
-  const SherdRow a = numbered(context12), b = draft(context12, bag4);
-  const std::vector<FieldChange> changes = {{a, "ware", "grey"},
-                                            {a, "part", "rim"},
-                                            {b, "context", "0013"},
-                                            {b, "bag", "1"},
-                                            {b, "joins", "ARM1-T3-0012-0001"},
-                                            {a, "weight_g", "23.4"},
-                                            {b, "extra.drawer", "7"},
-                                            {b, "number", "X-1"}};
+  const store::SherdRow a = numbered(context12), b = draft(context12, bag4);
+  const std::vector<records::FieldChange> changes = {{a, "ware", "grey"},
+                                                     {a, "part", "rim"},
+                                                     {b, "context", "0013"},
+                                                     {b, "bag", "1"},
+                                                     {b, "joins", "ARM1-T3-0012-0001"},
+                                                     {a, "weight_g", "23.4"},
+                                                     {b, "extra.drawer", "7"},
+                                                     {b, "number", "X-1"}};
   const auto before_a = *catalogue().sherd(a), before_b = *catalogue().sherd(b);
-  const Result<std::vector<FieldChange>> undo = catalogue().change(changes, anna);
+  const Result<std::vector<records::FieldChange>> undo = catalogue().change(changes, anna);
   ASSERT_TRUE(undo) << undo.error().sentence();
   EXPECT_EQ(valueOf(b, "context"), "0013");
   EXPECT_EQ(catalogue().sherd(b)->bag, bag1);
   EXPECT_EQ(valueOf(b, "number"), "X-1");
   const std::size_t history = catalogue().history(a)->size();
-  const Result<std::vector<FieldChange>> redo = catalogue().change(*undo, anna);
+  const Result<std::vector<records::FieldChange>> redo = catalogue().change(*undo, anna);
   ASSERT_TRUE(redo) << redo.error().sentence();
-  for (const SherdField& field : sherdFields()) {
-    EXPECT_EQ(valueOf(a, field.name), textOf(before_a, field.name)) << field.name;
-    EXPECT_EQ(valueOf(b, field.name), textOf(before_b, field.name)) << field.name;
+  for (const records::SherdField& field : records::sherdFields()) {
+    EXPECT_EQ(valueOf(a, field.name), records::textOf(before_a, field.name)) << field.name;
+    EXPECT_EQ(valueOf(b, field.name), records::textOf(before_b, field.name)) << field.name;
   }
   EXPECT_EQ(valueOf(b, "extra.drawer"), "");
   EXPECT_GT(catalogue().history(a)->size(), history) << "undoing is an provenance of its own";
@@ -67,11 +67,11 @@ TEST_F(Changes, CanBeUndoneAndDoneAgainWithTheirHistory) {
 }
 
 TEST_F(Changes, ThatChangeNothingLeaveNoTrace) {
-  const SherdRow a = numbered(context12);
+  const store::SherdRow a = numbered(context12);
   ASSERT_TRUE(set(a, "ware", "grey"));
-  const SherdRecord before = *catalogue().sherd(a);
+  const records::SherdRecord before = *catalogue().sherd(a);
   const std::size_t history = catalogue().history(a)->size();
-  const Result<std::vector<FieldChange>> undo = set(a, "ware", "  grey ");
+  const Result<std::vector<records::FieldChange>> undo = set(a, "ware", "  grey ");
   ASSERT_TRUE(undo);
   EXPECT_TRUE(undo->empty());
   EXPECT_EQ(catalogue().sherd(a)->revision, before.revision);
@@ -79,9 +79,9 @@ TEST_F(Changes, ThatChangeNothingLeaveNoTrace) {
 }
 
 TEST_F(Changes, ASherdMovesOnlyToPlacesThatAreThere) {
-  const SherdRow a = draft(context12, bag5);
+  const store::SherdRow a = draft(context12, bag5);
   EXPECT_FALSE(set(a, "context", "0013")) << "bag 5 is not in 0013: moving asks for the bag";
-  const std::vector<FieldChange> both = {{a, "context", "0013"}, {a, "bag", ""}};
+  const std::vector<records::FieldChange> both = {{a, "context", "0013"}, {a, "bag", ""}};
   ASSERT_TRUE(catalogue().change(both, anna));
   EXPECT_EQ(catalogue().sherd(a)->context, context13);
   EXPECT_FALSE(catalogue().sherd(a)->bag);
@@ -91,14 +91,14 @@ TEST_F(Changes, ASherdMovesOnlyToPlacesThatAreThere) {
 }
 
 TEST_F(Changes, ANumberedSherdNeedsItsContext) {
-  const SherdRow a = numbered(context12);
+  const store::SherdRow a = numbered(context12);
   EXPECT_FALSE(set(a, "context", ""));
-  const SherdRow without = draft({});
+  const store::SherdRow without = draft({});
   EXPECT_FALSE(set(without, "number", "X-2"));
 }
 
 TEST_F(Changes, MeasurementsHaveLimits) {
-  const SherdRow a = numbered(context12);
+  const store::SherdRow a = numbered(context12);
   for (const char* bad : {"0", "-1", "1001", "abc", "1,2,3", "5 mm"})
     EXPECT_FALSE(set(a, "length_mm", bad)) << bad;
   EXPECT_TRUE(set(a, "length_mm", "1000"));
@@ -108,16 +108,16 @@ TEST_F(Changes, MeasurementsHaveLimits) {
 }
 
 TEST_F(Changes, AMeasurementMayBeTypedWithItsUncertainty) {
-  const SherdRow a = numbered(context12);
+  const store::SherdRow a = numbered(context12);
   const auto diameter = [&] {
-    for (const Measurement& m : valueIn(catalogue().measurements(a)))
+    for (const records::Measurement& m : valueIn(catalogue().measurements(a)))
       if (m.kind == "rim_diameter") return m;
-    return Measurement{};
+    return records::Measurement{};
   };
   ASSERT_TRUE(set(a, "rim_diameter_mm", "234,5 ± 6"));
   EXPECT_EQ(diameter().value, 234.5);
   EXPECT_EQ(diameter().uncertainty, 6);
-  const FieldChange other{a, "rim_diameter_mm", "230"};
+  const records::FieldChange other{a, "rim_diameter_mm", "230"};
   const auto undo = catalogue().change(std::span(&other, 1), anna);
   ASSERT_TRUE(undo);
   EXPECT_EQ(diameter().uncertainty, std::nullopt);
@@ -129,23 +129,23 @@ TEST_F(Changes, AMeasurementMayBeTypedWithItsUncertainty) {
 }
 
 TEST_F(Changes, TheUncertaintyOfAValueThatStaysMayBeChangedAndTakenAway) {
-  const SherdRow a = numbered(context12);
+  const store::SherdRow a = numbered(context12);
   const auto typed = [&](const char* value) {
-    const Result<std::vector<FieldChange>> undo = set(a, "rim_diameter_mm", value);
+    const Result<std::vector<records::FieldChange>> undo = set(a, "rim_diameter_mm", value);
     EXPECT_TRUE(undo) << (undo ? "" : undo.error().sentence());
     return *undo;
   };
   const auto uncertainty = [&] { return catalogue().measurements(a)->at(0).uncertainty; };
   ASSERT_TRUE(catalogue().measure({a, "rim_diameter", {}, 234.5, {}, "calliper", {}, {}}, anna));
-  const std::vector<FieldChange> to_none = typed("234.5 ± 6");
+  const std::vector<records::FieldChange> to_none = typed("234.5 ± 6");
   EXPECT_EQ(uncertainty(), 6);
-  const FieldChange other{a, "rim_diameter_mm", "234.5 ± 4"};
+  const records::FieldChange other{a, "rim_diameter_mm", "234.5 ± 4"};
   EXPECT_EQ(catalogue().preview(std::span(&other, 1))->front().old_value, "234.5 ± 6");
-  const std::vector<FieldChange> to_six = typed("234.5 ± 4");
+  const std::vector<records::FieldChange> to_six = typed("234.5 ± 4");
   EXPECT_EQ(uncertainty(), 4);
   EXPECT_TRUE(typed("234.5 ± 4").empty()) << "nothing changes";
   EXPECT_TRUE(typed("234.5").empty()) << "the value is the same";
-  const std::vector<FieldChange> to_four = typed("234.5 ± 0");
+  const std::vector<records::FieldChange> to_four = typed("234.5 ± 0");
   EXPECT_EQ(uncertainty(), std::nullopt);
   ASSERT_TRUE(catalogue().change(to_four, anna));
   EXPECT_EQ(uncertainty(), 4);
@@ -157,7 +157,7 @@ TEST_F(Changes, TheUncertaintyOfAValueThatStaysMayBeChangedAndTakenAway) {
 }
 
 TEST_F(Changes, TextsThatAreNoTextAreRefused) {
-  const SherdRow a = numbered(context12);
+  const store::SherdRow a = numbered(context12);
   EXPECT_FALSE(set(a, "note", "\xFF\xFE"));
   EXPECT_FALSE(set(a, "note", std::string("a\0b", 3)));
   EXPECT_FALSE(set(a, "note", std::string((1 << 20) + 1, 'x')));

@@ -9,7 +9,7 @@ using testing::ElementsAre;
 using Sherds = SmallProject;
 
 TEST_F(Sherds, AreReadBackWithEverything) {
-  SherdRecord s;
+  records::SherdRecord s;
   s.number = "ARM1-T3-0012-0100";
   s.context = context12;
   s.bag = bag4;
@@ -21,41 +21,42 @@ TEST_F(Sherds, AreReadBackWithEverything) {
   s.note = "found \"under\" the wall; Գառնի";
   s.measures["weight"] = 23.4;
   s.extra_json = R"({"drawer":"7"})";
-  const Result<SherdRow> row = catalogue().addSherd(s, anna);
+  const Result<store::SherdRow> row = catalogue().addSherd(s, anna);
   ASSERT_TRUE(row) << row.error().sentence();
-  const SherdRecord read = *catalogue().sherd(*row);
-  EXPECT_EQ(read.state, SherdState::Numbered);
+  const records::SherdRecord read = *catalogue().sherd(*row);
+  EXPECT_EQ(read.state, records::SherdState::Numbered);
   EXPECT_EQ(read.site + read.trench + read.context_number + read.bag_number, "ARM1T300124");
   EXPECT_THAT(read.part, ElementsAre("rim", "neck"));
   EXPECT_EQ(read.note, s.note);
   EXPECT_EQ(read.measures.at("weight"), 23.4);
-  EXPECT_EQ(textOf(read, "extra.drawer"), "7");
-  EXPECT_EQ(textOf(read, "part"), "rim; neck");
-  EXPECT_EQ(textOf(read, "state"), "numbered");
-  EXPECT_EQ(textOf(read, "uuid"), read.id);
+  EXPECT_EQ(records::textOf(read, "extra.drawer"), "7");
+  EXPECT_EQ(records::textOf(read, "part"), "rim; neck");
+  EXPECT_EQ(records::textOf(read, "state"), "numbered");
+  EXPECT_EQ(records::textOf(read, "uuid"), read.id);
   EXPECT_EQ(*catalogue().sherdByNumber("arm1-t3-0012-0100"), *row);
   EXPECT_EQ(*catalogue().sherdById(read.id), *row);
   EXPECT_FALSE(*catalogue().sherdByNumber("X"));
 }
 
 TEST_F(Sherds, APageComesInTheOrderAskedFor) {
-  const SherdRow a = numbered(context12), b = numbered(context12), c = numbered(context12);
-  const std::vector<SherdRow> order = {c, a, b, a};
-  const std::vector<SherdRecord> page = *catalogue().sherds(order);
+  const store::SherdRow a = numbered(context12), b = numbered(context12), c = numbered(context12);
+  const std::vector<store::SherdRow> order = {c, a, b, a};
+  const std::vector<records::SherdRecord> page = *catalogue().sherds(order);
   ASSERT_EQ(page.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(page[i].row, order[i]);
-  const std::vector<SherdRow> none = {SherdRow{999}};
+  const std::vector<store::SherdRow> none = {store::SherdRow{999}};
   EXPECT_FALSE(catalogue().sherds(none));
 }
 
 TEST_F(Sherds, EachFieldOfTheTableHasANameOfItsOwn) {
   std::set<std::string> names;
-  for (const SherdField& field : sherdFields()) EXPECT_TRUE(names.insert(field.name).second);
+  for (const records::SherdField& field : records::sherdFields())
+    EXPECT_TRUE(names.insert(field.name).second);
   EXPECT_TRUE(names.contains("thickness_mean_mm"));
 }
 
 TEST_F(Sherds, AUuidIsThereOnce) {
-  SherdRecord s;
+  records::SherdRecord s;
   s.context = context12;
   s.id = "019f5ff6-39c0-7b3a-9c55-2f7e8d104ab6";
   ASSERT_TRUE(catalogue().addSherd(s, anna));
@@ -65,18 +66,18 @@ TEST_F(Sherds, AUuidIsThereOnce) {
 }
 
 TEST_F(Sherds, AVoidOneKeepsItsNumberAndComesBack) {
-  const SherdRow sherd = numbered(context12);
+  const store::SherdRow sherd = numbered(context12);
   EXPECT_FALSE(catalogue().voidSherd(sherd, " ", anna)) << "a reason is needed";
   ASSERT_TRUE(catalogue().voidSherd(sherd, "a stone", anna));
-  EXPECT_EQ(catalogue().sherd(sherd)->state, SherdState::Void);
+  EXPECT_EQ(catalogue().sherd(sherd)->state, records::SherdState::Void);
   EXPECT_EQ(catalogue().sherd(sherd)->number, "ARM1-T3-0012-0001");
   EXPECT_FALSE(set(sherd, "number", "")) << "a void sherd keeps its number";
   ASSERT_TRUE(set(sherd, "void_reason", ""));
-  EXPECT_EQ(catalogue().sherd(sherd)->state, SherdState::Numbered);
+  EXPECT_EQ(catalogue().sherd(sherd)->state, records::SherdState::Numbered);
 }
 
 TEST_F(Sherds, JoinsGoBothWays) {
-  const SherdRow a = numbered(context12), b = numbered(context12), c = numbered(context12);
+  const store::SherdRow a = numbered(context12), b = numbered(context12), c = numbered(context12);
   ASSERT_TRUE(set(a, "joins", "ARM1-T3-0012-0003; arm1-t3-0012-0002"));
   EXPECT_THAT(catalogue().sherd(a)->joins, ElementsAre(b, c));
   EXPECT_THAT(catalogue().sherd(b)->joins, ElementsAre(a));
@@ -88,10 +89,10 @@ TEST_F(Sherds, JoinsGoBothWays) {
 }
 
 TEST_F(Sherds, HistoryTellsWhoChangedWhatAndWhy) {
-  const SherdRow sherd = numbered(context12);
-  const FieldChange change{sherd, "ware", "grey"};
+  const store::SherdRow sherd = numbered(context12);
+  const records::FieldChange change{sherd, "ware", "grey"};
   ASSERT_TRUE(catalogue().change(std::span(&change, 1), {anna.person, "window", "seen again"}));
-  const HistoryEntry newest = catalogue().history(sherd)->front();
+  const records::HistoryEntry newest = catalogue().history(sherd)->front();
   EXPECT_EQ(newest.by, anna.person);
   EXPECT_EQ(newest.field, "ware");
   EXPECT_EQ(newest.old_value, "");

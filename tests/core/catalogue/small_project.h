@@ -38,20 +38,21 @@ T valueIn(Result<T> result) {
 class SmallProject : public ::testing::Test {
  protected:
   SmallProject() {
-    ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     record.title = "Trial";
-    Result<Project> made = Project::create(folder_.path() / "project", record, [this] {
-      return now_ms += 1;  // every provenance has a time of its own
-    });
+    Result<upkeep::Project> made =
+        upkeep::Project::create(folder_.path() / "project", record, [this] {
+          return now_ms += 1;  // every provenance has a time of its own
+        });
     if (!made) throw std::runtime_error(made.error().sentence());
-    project_ = std::make_unique<Project>(std::move(*made));
-    anna = {*catalogue().save(PersonRecord{{}, {}, "Anna P.", "AP", {}}, {}), "test", ""};
-    SiteRecord s;
+    project_ = std::make_unique<upkeep::Project>(std::move(*made));
+    anna = {*catalogue().save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {}), "test", ""};
+    records::SiteRecord s;
     s.code = "ARM1";
     s.name = "Hill";
     site = *catalogue().save(s, anna);
-    TrenchRecord t;
+    records::TrenchRecord t;
     t.site = site;
     t.code = "T3";
     trench = *catalogue().save(t, anna);
@@ -63,38 +64,38 @@ class SmallProject : public ::testing::Test {
   }
 
   Catalogue& catalogue() { return project_->catalogue(); }
-  ContextRow context(const std::string& number) {
-    ContextRecord c;
+  store::ContextRow context(const std::string& number) {
+    records::ContextRecord c;
     c.site = site;
     c.trench = trench;
     c.number = number;
     return *catalogue().save(c, anna);
   }
-  BagRow bag(ContextRow in, const std::string& number) {
-    BagRecord b;
+  store::BagRow bag(store::ContextRow in, const std::string& number) {
+    records::BagRecord b;
     b.context = in;
     b.number = number;
     return *catalogue().save(b, anna);
   }
-  SherdRow draft(ContextRow in, BagRow of = {}) {
-    SherdRecord s;
+  store::SherdRow draft(store::ContextRow in, store::BagRow of = {}) {
+    records::SherdRecord s;
     s.context = in;
     s.bag = of;
     return *catalogue().addSherd(s, anna);
   }
-  SherdRow numbered(ContextRow in) {
-    const SherdRow row = draft(in);
+  store::SherdRow numbered(store::ContextRow in) {
+    const store::SherdRow row = draft(in);
     EXPECT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
     return row;
   }
-  BatchRow newBatch(std::vector<BagRow> bags) {
-    BatchRecord b;
+  store::BatchRow newBatch(std::vector<store::BagRow> bags) {
+    records::BatchRecord b;
     b.bags = std::move(bags);
     b.counted = 3;
     return *catalogue().addBatch(b, anna);
   }
-  ScanRow scan(BatchRow batch, batch::Side side, int index) {
-    ScanRecord s;
+  store::ScanRow scan(store::BatchRow batch, batch::Side side, int index) {
+    records::ScanRecord s;
     s.batch = batch;
     s.side = side;
     s.index = index;
@@ -103,36 +104,36 @@ class SmallProject : public ::testing::Test {
     return *catalogue().save(s, anna);
   }
   /// As a person does who answers yes to what is asked.
-  Result<std::vector<FieldChange>> set(SherdRow sherd, const std::string& field,
-                                       const std::string& value) {
-    const FieldChange change{sherd, field, value, Confirmation::Given};
+  Result<std::vector<records::FieldChange>> set(store::SherdRow sherd, const std::string& field,
+                                                const std::string& value) {
+    const records::FieldChange change{sherd, field, value, records::Confirmation::Given};
     return catalogue().change(std::span(&change, 1), anna);
   }
-  std::string valueOf(SherdRow sherd, const std::string& field) {
-    return textOf(*catalogue().sherd(sherd), field);
+  std::string valueOf(store::SherdRow sherd, const std::string& field) {
+    return records::textOf(*catalogue().sherd(sherd), field);
   }
   /// Numbers of the sherds that the filter line finds, in order.
-  std::vector<std::string> found(const std::string& line, const SherdOrder& order = {}) {
+  std::vector<std::string> found(const std::string& line, const records::SherdOrder& order = {}) {
     const Result<Filter> filter = parseFilter(line);
     EXPECT_TRUE(filter) << (filter ? "" : filter.error().sentence());
     if (!filter) return {"?"};
-    const Result<std::vector<SherdRow>> rows = catalogue().sherdRows(*filter, order);
+    const Result<std::vector<store::SherdRow>> rows = catalogue().sherdRows(*filter, order);
     EXPECT_TRUE(rows) << (rows ? "" : rows.error().sentence());
     if (!rows) return {"?"};
     std::vector<std::string> numbers;
-    for (const SherdRecord& sherd : valueIn(catalogue().sherds(*rows)))
+    for (const records::SherdRecord& sherd : valueIn(catalogue().sherds(*rows)))
       numbers.push_back(sherd.number);
     return numbers;
   }
 
   std::int64_t now_ms = 1'790'000'000'000;  // 21 September 2026
   TemporaryFolder folder_;
-  std::unique_ptr<Project> project_;
-  Provenance anna;
-  SiteRow site;
-  TrenchRow trench;
-  ContextRow context12, context13;
-  BagRow bag4, bag5, bag1;
+  std::unique_ptr<upkeep::Project> project_;
+  records::Provenance anna;
+  store::SiteRow site;
+  store::TrenchRow trench;
+  store::ContextRow context12, context13;
+  store::BagRow bag4, bag5, bag1;
 };
 
 }  // namespace ostraka::catalogue

@@ -31,17 +31,17 @@ class TypedNumbers : public SmallProject {
                            cloud, "plate_front"));
     }
   }
-  EnteredResults enter() {
+  intake::EnteredResults enter() {
     QuietProgress quiet;
-    const auto entered = enterResults(catalogue(), project_->folder(), batch,
-                                      project_->resultsFolder("B0001"), {}, quiet, {});
+    const auto entered = intake::enterResults(catalogue(), project_->folder(), batch,
+                                              project_->resultsFolder("B0001"), {}, quiet, {});
     EXPECT_TRUE(entered) << (entered ? "" : entered.error().sentence());
-    return entered ? *entered : EnteredResults{};
+    return entered ? *entered : intake::EnteredResults{};
   }
   std::string numberOf(const std::string& front) {
-    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+    for (const records::ScanRecord& scan : valueIn(catalogue().scans(batch)))
       if (scan.name == front)
-        for (const SherdRecord& sherd :
+        for (const records::SherdRecord& sherd :
              valueIn(catalogue().sherds(valueIn(catalogue().sherdRows(batch)))))
           if (sherd.front == scan.row) return sherd.number;
     return "no sherd";
@@ -49,7 +49,7 @@ class TypedNumbers : public SmallProject {
   Result<void> type(const std::vector<TypedNumber>& numbers) {
     return setTypedNumbers(catalogue(), batch, numbers);
   }
-  BatchRow batch;
+  store::BatchRow batch;
 };
 
 TEST_F(TypedNumbers, FollowTheirSherdsByTheirPlaces) {
@@ -78,9 +78,10 @@ TEST_F(TypedNumbers, StayWithTheFrontOfADoubtfulPairWhateverIsDecided) {
   enter();
   EXPECT_EQ(numberOf("f001"), "A-1");
   EXPECT_EQ(numberOf("f002"), "A-2");
-  std::map<std::string, ScanRow> scans;
-  for (const ScanRecord& scan : valueIn(catalogue().scans(batch))) scans[scan.name] = scan.row;
-  PairDecision swapped;
+  std::map<std::string, store::ScanRow> scans;
+  for (const records::ScanRecord& scan : valueIn(catalogue().scans(batch)))
+    scans[scan.name] = scan.row;
+  records::PairDecision swapped;
   swapped.batch = batch;
   swapped.front = scans["f001"];
   swapped.back = scans["b002"];
@@ -96,7 +97,7 @@ TEST_F(TypedNumbers, ThatFindNoSherdAreNamed) {
 }
 
 TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
-  const SherdRow photographed = numbered(context12);
+  const store::SherdRow photographed = numbered(context12);
   ASSERT_TRUE(catalogue().setModel(photographed, "models/B0007/1/model.ply", ""));
   const auto why = [&](const std::vector<TypedNumber>& numbers) {
     const Result<void> done = type(numbers);
@@ -118,22 +119,22 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   ASSERT_TRUE(type({{{50, 10}, "ARM1-T3-0012-0031"}}));
   results();
   enter();
-  const std::vector<SherdRow> rows = valueIn(catalogue().sherdRows(batch));
+  const std::vector<store::SherdRow> rows = valueIn(catalogue().sherdRows(batch));
   ASSERT_TRUE(catalogue().assignNumbers(rows, anna));
-  const SherdRecord before = *catalogue().sherd(rows[0]);
+  const records::SherdRecord before = *catalogue().sherd(rows[0]);
   ASSERT_FALSE(before.number.empty());
   ASSERT_TRUE(set(before.row, "note", "a handle"));
   const TypedNumber typed{{50, 10}, before.number};
-  const BatchRow again = newBatch({bag5});
+  const store::BatchRow again = newBatch({bag5});
   EXPECT_FALSE(setTypedNumbers(catalogue(), again, std::span(&typed, 1))) << "it has its pair";
   EXPECT_TRUE(toPhotographAgain(catalogue())->empty());
 
-  PairDecision reshoot;
+  records::PairDecision reshoot;
   reshoot.batch = batch;
-  reshoot.verdict = Verdict::Reshoot;
+  reshoot.verdict = records::Verdict::Reshoot;
   reshoot.front = before.front;
   reshoot.back = before.back;
-  const DecisionRow asked = valueIn(catalogue().decide(reshoot, anna));
+  const store::DecisionRow asked = valueIn(catalogue().decide(reshoot, anna));
   ASSERT_EQ(toPhotographAgain(catalogue())->size(), 1u);
   EXPECT_EQ(toPhotographAgain(catalogue())->front().number, before.number);
   ASSERT_TRUE(setTypedNumbers(catalogue(), again, std::span(&typed, 1)));
@@ -143,11 +144,11 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   out.length_mm = 70;
   out.write();
   QuietProgress quiet;
-  const auto entered = enterResults(catalogue(), project_->folder(), again,
-                                    project_->resultsFolder("B0002"), {}, quiet, {});
+  const auto entered = intake::enterResults(catalogue(), project_->folder(), again,
+                                            project_->resultsFolder("B0002"), {}, quiet, {});
   ASSERT_TRUE(entered) << entered.error().sentence();
   EXPECT_TRUE(entered->numbers_left.empty());
-  const SherdRecord after = *catalogue().sherd(before.row);
+  const records::SherdRecord after = *catalogue().sherd(before.row);
   EXPECT_EQ(after.number, before.number);
   EXPECT_EQ(after.note, "a handle");
   EXPECT_EQ(after.batch, again);
@@ -165,20 +166,20 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   EXPECT_EQ(moved[0].number, before.number);
   EXPECT_EQ(moved[0].batch_number, "B0002");
   EXPECT_TRUE(photographedAgain(catalogue(), again)->empty());
-  const PlateSherds old_plate(catalogue(), "B0001");
+  const intake::PlateSherds old_plate(catalogue(), "B0001");
   ASSERT_NE(old_plate.again({50, 10}), nullptr) << "nobody photographs it a third time";
   EXPECT_EQ(old_plate.again({100, 10}), nullptr);
   int unnumbered = 0;
   const auto on_plate = catalogue().sherds(*catalogue().sherdRows(again));
-  for (const SherdRecord& sherd : *on_plate)
-    unnumbered += sherd.number.empty() && sherd.state != SherdState::Void ? 1 : 0;
+  for (const records::SherdRecord& sherd : *on_plate)
+    unnumbered += sherd.number.empty() && sherd.state != records::SherdState::Void ? 1 : 0;
   EXPECT_EQ(unnumbered, 1) << "the other one of the plate";
   // Computed again, or the old plate's word taken back: it stays what it is.
-  ASSERT_TRUE(enterResults(catalogue(), project_->folder(), again, project_->resultsFolder("B0002"),
-                           {}, quiet, {}));
-  PairDecision back;
+  ASSERT_TRUE(intake::enterResults(catalogue(), project_->folder(), again,
+                                   project_->resultsFolder("B0002"), {}, quiet, {}));
+  records::PairDecision back;
   back.batch = batch;
-  back.verdict = Verdict::Withdraw;
+  back.verdict = records::Verdict::Withdraw;
   back.replaces = asked;
   ASSERT_TRUE(catalogue().decide(back, anna));
   EXPECT_EQ(catalogue().sherd(before.row)->front, after.front);
@@ -196,21 +197,21 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
 TEST_F(TypedNumbers, OfASherdThatIsAskedForAfterItsPlateWasComputedFindItWithItsModel) {
   results();
   enter();
-  const SherdRow row = valueIn(catalogue().sherdRows(batch))[0];
+  const store::SherdRow row = valueIn(catalogue().sherdRows(batch))[0];
   ASSERT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
-  const SherdRecord before = *catalogue().sherd(row);
-  PairDecision reshoot;
+  const records::SherdRecord before = *catalogue().sherd(row);
+  records::PairDecision reshoot;
   reshoot.batch = batch;
-  reshoot.verdict = Verdict::Reshoot;
+  reshoot.verdict = records::Verdict::Reshoot;
   reshoot.front = before.front;
   reshoot.back = before.back;
-  const DecisionRow asked = valueIn(catalogue().decide(reshoot, anna));
+  const store::DecisionRow asked = valueIn(catalogue().decide(reshoot, anna));
   const TypedNumber typed{{50, 10}, before.number};
-  const BatchRow again = newBatch({bag4});
+  const store::BatchRow again = newBatch({bag4});
   ASSERT_TRUE(setTypedNumbers(catalogue(), again, std::span(&typed, 1)));
-  PairDecision back;
+  records::PairDecision back;
   back.batch = batch;
-  back.verdict = Verdict::Withdraw;
+  back.verdict = records::Verdict::Withdraw;
   back.replaces = asked;
   ASSERT_TRUE(catalogue().decide(back, anna));
   ResultFolder out(project_->resultsFolder("B0002"), 2);
@@ -218,13 +219,13 @@ TEST_F(TypedNumbers, OfASherdThatIsAskedForAfterItsPlateWasComputedFindItWithIts
   out.write();
   const auto compute = [&] {
     QuietProgress quiet;
-    return enterResults(catalogue(), project_->folder(), again, project_->resultsFolder("B0002"),
-                        {}, quiet, {});
+    return intake::enterResults(catalogue(), project_->folder(), again,
+                                project_->resultsFolder("B0002"), {}, quiet, {});
   };
   EXPECT_THAT(compute()->numbers_left, ElementsAre(before.number)) << "it has its old pair";
   ASSERT_TRUE(catalogue().decide(reshoot, anna));
   EXPECT_TRUE(compute()->numbers_left.empty());
-  const SherdRecord after = *catalogue().sherd(row);
+  const records::SherdRecord after = *catalogue().sherd(row);
   EXPECT_EQ(after.batch, again);
   EXPECT_THAT(after.model_path, testing::StartsWith("models/B0002/"));
   EXPECT_EQ(after.measures.at("length"), 51);
@@ -233,13 +234,13 @@ TEST_F(TypedNumbers, OfASherdThatIsAskedForAfterItsPlateWasComputedFindItWithIts
 TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {
   results();
   enter();
-  const SherdRow draft = valueIn(catalogue().sherdRows(batch))[0];
+  const store::SherdRow draft = valueIn(catalogue().sherdRows(batch))[0];
   ASSERT_TRUE(set(draft, "note", "burnt on one side"));
   ASSERT_TRUE(set(draft, "ware", "red slip"));
   ASSERT_TRUE(set(draft, "fabric", "coarse"));
   ASSERT_TRUE(set(draft, "weight_g", "41.5"));
   ASSERT_TRUE(set(draft, "length_mm", "72"));
-  const SherdRow listed = numbered(context12);
+  const store::SherdRow listed = numbered(context12);
   ASSERT_TRUE(set(listed, "note", "from the list"));
   ASSERT_TRUE(set(listed, "fabric", "fine"));
   ASSERT_TRUE(set(listed, "weight_g", "40"));
@@ -247,27 +248,27 @@ TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {
   ASSERT_TRUE(type({{{50, 10}, number}}));
   ASSERT_THAT(*giveTypedNumbers(catalogue(), batch, anna), testing::IsEmpty());
 
-  const SherdRecord after = *catalogue().sherd(listed);
+  const records::SherdRecord after = *catalogue().sherd(listed);
   EXPECT_TRUE(after.front);
   EXPECT_EQ(after.note, "from the list; burnt on one side");
   EXPECT_EQ(after.ware, "red slip");
   EXPECT_EQ(after.fabric, "fine") << "what it says itself holds";
   EXPECT_EQ(after.measures.at("weight"), 40);
   EXPECT_EQ(after.measures.at("length"), 72) << "by a person";
-  const SherdRecord left = *catalogue().sherd(draft);
-  EXPECT_EQ(left.state, SherdState::Void);
+  const records::SherdRecord left = *catalogue().sherd(draft);
+  EXPECT_EQ(left.state, records::SherdState::Void);
   EXPECT_EQ(left.fabric, "coarse") << "still to be read";
 }
 
 TEST_F(TypedNumbers, AreGivenToNobodyElseBeforeTheirPlateIsComputed) {
   ASSERT_TRUE(type({{{50, 10}, "A-1"}, {{400, 10}, "A-9"}}));
-  const SherdRow other = numbered(context12);
+  const store::SherdRow other = numbered(context12);
   const auto refused = set(other, "number", "a-1");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().what,
             "The number a-1 was entered for a sherd of B0001, which is not processed yet.");
   const TypedNumber lost{{10, 10}, "A-9"};
-  const BatchRow next = newBatch({bag4});
+  const store::BatchRow next = newBatch({bag4});
   EXPECT_FALSE(setTypedNumbers(catalogue(), next, std::span(&lost, 1)));
   results();
   EXPECT_THAT(enter().numbers_left, ElementsAre("A-9"));
@@ -278,11 +279,11 @@ TEST_F(TypedNumbers, AreGivenToNobodyElseBeforeTheirPlateIsComputed) {
 
 TEST_F(TypedNumbers, OneThatIsTakenMeanwhileHindersNoOther) {
   ASSERT_TRUE(type({{{50, 10}, "A-1"}}));
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Failed, {}));
-  const SherdRow other = numbered(context12);
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Failed, {}));
+  const store::SherdRow other = numbered(context12);
   ASSERT_TRUE(catalogue().setModel(other, "models/B0007/1/model.ply", ""));
   ASSERT_TRUE(set(other, "number", "A-1"));
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Flipped, {}));
   EXPECT_TRUE(type({{{50, 10}, "A-1"}, {{100, 10}, "A-2"}}));
   EXPECT_TRUE(type({{{100, 10}, "A-2"}})) << "and can be taken away";
   EXPECT_FALSE(type({{{50, 10}, "A-1"}, {{100, 10}, "A-2"}}));
@@ -290,7 +291,7 @@ TEST_F(TypedNumbers, OneThatIsTakenMeanwhileHindersNoOther) {
 
 TEST_F(TypedNumbers, AreNotProposedToOthers) {
   ASSERT_TRUE(type({{{0, 0}, "ARM1-T3-0012-0001"}}));
-  const std::vector<SherdRow> rows = {draft(context12)};
+  const std::vector<store::SherdRow> rows = {draft(context12)};
   EXPECT_THAT(*catalogue().proposeNumbers(rows), ElementsAre("ARM1-T3-0012-0002"));
 }
 
@@ -311,7 +312,7 @@ TEST_F(TypedNumbers, DigitsAndCodesOfLabelsBecomeWholeNumbers) {
 }
 
 TEST_F(TypedNumbers, DigitsMeanTheSameForOneSherdInItsContext) {
-  const SherdRow there = draft(context13, bag1), nowhere = draft({});
+  const store::SherdRow there = draft(context13, bag1), nowhere = draft({});
   EXPECT_EQ(*wholeNumber(catalogue(), there, "62"), "ARM1-T3-0013-0062");
   EXPECT_EQ(*wholeNumber(catalogue(), there, " =62 "), "62") << "as it stands";
   EXPECT_EQ(*wholeNumber(catalogue(), there, "A 62"), "A 62");
@@ -327,7 +328,7 @@ TEST_F(TypedNumbers, ALabelsNumberThatLooksLikeAPlaceIsOneWhereTheSchemeGivesSuc
     return number ? *number : std::string();
   };
   EXPECT_EQ(whole("OST1:S:B0031-01:7F3K9Q2M"), "") << "a sherd of another laptop without a number";
-  ProjectRecord record = *catalogue().project();
+  records::ProjectRecord record = *catalogue().project();
   for (const auto& [scheme, number] :
        {std::pair{"{batch}-{n:02}", "B0031-01"}, std::pair{"B{yy}-{n:04}", "B26-0012"}}) {
     record.numbering = scheme;
@@ -336,7 +337,7 @@ TEST_F(TypedNumbers, ALabelsNumberThatLooksLikeAPlaceIsOneWhereTheSchemeGivesSuc
     EXPECT_EQ(whole(std::string("OST1:S:") + number), "") << "without an id it is a place";
   }
   EXPECT_EQ(whole("OST1:S:B0031-01:7F3K9Q2M"), "") << "the scheme pads to four digits";
-  const SherdRow none = draft(context12);
+  const store::SherdRow none = draft(context12);
   const std::string id = valueOf(none, "uuid");
   EXPECT_EQ(whole("OST1:S:B26-0012:" + id.substr(id.size() - 8)), "") << "it has no number";
 }

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 using testing::AllOf;
@@ -72,4 +72,4 @@ TEST_F(CameraSettings, WhatIsNotWrittenDiffersFromNothing) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

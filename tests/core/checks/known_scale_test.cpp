@@ -5,16 +5,16 @@
 #include <cmath>
 #include <numbers>
 
-namespace ostraka::rig {
+namespace ostraka::checks {
 namespace {
 
 // Six views of a turning plate whose unit is a quarter of a millimetre.
 constexpr double kUnit_mm = 0.25;
 
-std::vector<PosedImage> views(batch::Side side) {
-  std::vector<PosedImage> images;
+std::vector<rig::PosedImage> views(batch::Side side) {
+  std::vector<rig::PosedImage> images;
   for (int k = 0; k < 6; ++k) {
-    PosedImage image;
+    rig::PosedImage image;
     image.file = "/batch/top_images/cam1_image00" + std::to_string(k) + ".tif";
     image.side = side;
     image.intrinsics = {1600, 1200, 2000, 2000, 800, 600, {-0.1, 0.02, 0, 0, 0}};
@@ -26,7 +26,7 @@ std::vector<PosedImage> views(batch::Side side) {
   return images;
 }
 
-batch::KnownLength marked(const std::vector<PosedImage>& images, const Eigen::Vector3d& a,
+batch::KnownLength marked(const std::vector<rig::PosedImage>& images, const Eigen::Vector3d& a,
                           const Eigen::Vector3d& b, double length_mm) {
   batch::KnownLength known;
   known.side = images[0].side;
@@ -71,8 +71,8 @@ TEST(KnownScale, TakesNoMarksOfTheOtherSideOrOfPhotographsWithoutAPose) {
 
 // Two cameras 500 mm from the axis, one on +x and one on +y, both looking level at it: a pixel is
 // half a millimetre there.
-std::vector<PosedImage> twoLevelViews() {
-  std::vector<PosedImage> images(2);
+std::vector<rig::PosedImage> twoLevelViews() {
+  std::vector<rig::PosedImage> images(2);
   images[0].camera_from_plate.linear() << 0, 1, 0, 0, 0, -1, -1, 0, 0;
   images[1].camera_from_plate.linear() << -1, 0, 0, 0, 0, -1, 0, -1, 0;
   for (int k = 0; k < 2; ++k) {
@@ -83,10 +83,10 @@ std::vector<PosedImage> twoLevelViews() {
   return images;
 }
 
-batch::KnownLength alongX(const std::vector<PosedImage>& images, double length_mm) {
+batch::KnownLength alongX(const std::vector<rig::PosedImage>& images, double length_mm) {
   batch::KnownLength known;
   known.length_mm = length_mm;
-  for (const PosedImage& image : images) {
+  for (const rig::PosedImage& image : images) {
     const std::string name = std::filesystem::path(image.file).filename().string();
     known.ends[0].push_back({name, image.project({-10, 0, 0})});
     known.ends[1].push_back({name, image.project({10, 0, 0})});
@@ -146,7 +146,7 @@ TEST(KnownScale, ComesFromABoardBesideTheSherds) {
   // A board of 5 x 4 corners, 12 mm apart, lying askew on the plate.
   const Eigen::Isometry3d plate_from_board =
       Eigen::Translation3d(30, -50, 2) * Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ());
-  std::vector<TargetView> seen(images.size());
+  std::vector<calibration::TargetView> seen(images.size());
   for (std::size_t i = 0; i < images.size(); ++i)
     for (int x = 0; x < 5; ++x)
       for (int y = 0; y < 4; ++y) {
@@ -180,4 +180,4 @@ TEST(KnownScale, DoesNotTriangulateNearlyParallelRays) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::checks

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 scan::Scan slab(const std::string& id, int width_mm, int depth_mm) {
@@ -35,4 +35,4 @@ TEST(PerhapsTouching, SaysNothingOfOtherSizes) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

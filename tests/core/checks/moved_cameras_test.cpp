@@ -9,7 +9,7 @@
 #include "files/json.h"
 #include "rig/rig.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(MovedCameras, ARigOfOtherCamerasStaysAsItIs) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

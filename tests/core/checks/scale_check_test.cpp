@@ -2,14 +2,14 @@
 
 #include <gmock/gmock.h>
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 using testing::HasSubstr;
 
 // Two cameras 500 mm from the axis by the plate's markers, on +x and on +y, looking level at it.
-rig::BatchPoses twoLevelViews() {
-  rig::BatchPoses poses;
+calibration::BatchPoses twoLevelViews() {
+  calibration::BatchPoses poses;
   poses.images.resize(2);
   poses.images[0].camera_from_plate.linear() << 0, 1, 0, 0, 0, -1, -1, 0, 0;
   poses.images[1].camera_from_plate.linear() << -1, 0, 0, 0, 0, -1, 0, -1, 0;
@@ -22,7 +22,7 @@ rig::BatchPoses twoLevelViews() {
 }
 
 // What lies between x = -20 and x = 20 mm, and is `length_mm` long.
-batch::KnownLength marked(const rig::BatchPoses& poses, double length_mm) {
+batch::KnownLength marked(const calibration::BatchPoses& poses, double length_mm) {
   batch::KnownLength known;
   known.length_mm = length_mm;
   for (const rig::PosedImage& image : poses.images) {
@@ -34,7 +34,7 @@ batch::KnownLength marked(const rig::BatchPoses& poses, double length_mm) {
 }
 
 TEST(ScaleCheck, SaysWhichLengthContradictsByHowMuchAndWhatToDo) {
-  const rig::BatchPoses poses = twoLevelViews();
+  const calibration::BatchPoses poses = twoLevelViews();
   // 0.05 mm a pixel, rounding and two ends: 0.02 mm. 40 mm instead of 40.4 are 0.99 % too few.
   const ScaleCheck check = checkScale(poses, {marked(poses, 40.4)});
   ASSERT_EQ(check.doubts.size(), 1u);
@@ -50,7 +50,7 @@ TEST(ScaleCheck, SaysWhichLengthContradictsByHowMuchAndWhatToDo) {
 }
 
 TEST(ScaleCheck, HasNoDoubtAboutALengthThatAgrees) {
-  const rig::BatchPoses poses = twoLevelViews();
+  const calibration::BatchPoses poses = twoLevelViews();
   const ScaleCheck check = checkScale(poses, {marked(poses, 40.05)});
   EXPECT_TRUE(check.doubts.empty());
   EXPECT_TRUE(check.warnings.empty());
@@ -59,7 +59,7 @@ TEST(ScaleCheck, HasNoDoubtAboutALengthThatAgrees) {
 }
 
 TEST(ScaleCheck, SaysWhatALengthNeedsThatCannotBeCompared) {
-  const rig::BatchPoses poses = twoLevelViews();
+  const calibration::BatchPoses poses = twoLevelViews();
   batch::KnownLength known = marked(poses, 40);
   known.side = batch::Side::Back;
   const ScaleCheck check = checkScale(poses, {known});
@@ -69,7 +69,7 @@ TEST(ScaleCheck, SaysWhatALengthNeedsThatCannotBeCompared) {
 }
 
 TEST(ScaleCheck, DoubtsADistanceBetweenMarkersThatWereKeptOut) {
-  rig::BatchPoses poses;
+  calibration::BatchPoses poses;
   poses.held_out = {{0, 12, 290, 290.8}, {6, 18, 290, 291}};  // 0.28 and 0.34 %
   const ScaleCheck check = checkScale(poses, {});
   ASSERT_EQ(check.doubts.size(), 1u);
@@ -78,4 +78,4 @@ TEST(ScaleCheck, DoubtsADistanceBetweenMarkersThatWereKeptOut) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-namespace ostraka::pipeline {
+namespace ostraka::checks {
 namespace {
 
 // Two flat sherds on a plate that turns under two cameras, eight stops.
@@ -128,4 +128,4 @@ TEST_F(Stillness, SaysNothingWhereTooFewPhotographsShowTheSherdApart) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

@@ -8,17 +8,17 @@
 #include "colmap/colmap_format.h"
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace {
 
 ColmapModel sampleModel() {
   ColmapModel model;
-  model.cameras.push_back(toColmap(lens(2600), 3));
+  model.cameras.push_back(toColmap(rig::lens(2600), 3));
   ColmapImage image;
   image.id = 7;
   image.camera = 3;
   image.name = "front a.jpg";
-  image.camera_from_world = lookingDown(0.5, 0.3);
+  image.camera_from_world = rig::lookingDown(0.5, 0.3);
   image.observations = {{{1.5, 2.5}, 9}, {{3, 4}, -1}};
   model.images = {image, image};
   model.images[1].id = 8;
@@ -83,7 +83,7 @@ TEST(ColmapBinary, RefusesACountBeyondTheFile) {
 }
 
 TEST(ColmapCamera, ShiftsThePixelCentreByAHalf) {
-  const Intrinsics i = lens(2600);
+  const rig::Intrinsics i = rig::lens(2600);
   const ColmapCamera camera = toColmap(i, 1);
   EXPECT_EQ(camera.parameters[2], i.cx + 0.5);
   const auto back = fromColmap(camera);
@@ -93,7 +93,7 @@ TEST(ColmapCamera, ShiftsThePixelCentreByAHalf) {
 }
 
 TEST(ColmapCamera, KeepsK3AsFullOpenCv) {
-  Intrinsics i = lens(2600);
+  rig::Intrinsics i = rig::lens(2600);
   i.distortion[4] = 0.1;
   const ColmapCamera camera = toColmap(i, 1);
   EXPECT_EQ(camera.model, 6);
@@ -102,11 +102,11 @@ TEST(ColmapCamera, KeepsK3AsFullOpenCv) {
 }
 
 TEST(ColmapCamera, RefusesFisheyes) {
-  ColmapCamera camera = toColmap(lens(2600), 1);
+  ColmapCamera camera = toColmap(rig::lens(2600), 1);
   camera.model = 5;
   ASSERT_FALSE(fromColmap(camera).has_value());
   EXPECT_THAT(fromColmap(camera).error().what, testing::HasSubstr("OPENCV_FISHEYE"));
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -9,7 +9,7 @@
 
 #include "tests/core/rig/simulated_rig.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,12 +69,12 @@ class ColmapProgram : public testing::Test {
 
 TEST_F(ColmapProgram, GivesTheShotsTheirPosesInATurntableFrame) {
   ColmapModel model;
-  const Eigen::Isometry3d elsewhere = rigid({0.3, -0.8, 0.2}, {4, 5, 6});
-  model.cameras.push_back(toColmap(lens(2600), 1));
+  const Eigen::Isometry3d elsewhere = rig::rigid({0.3, -0.8, 0.2}, {4, 5, 6});
+  model.cameras.push_back(toColmap(rig::lens(2600), 1));
   for (std::uint32_t k = 0; k < 6; ++k)
     model.images.push_back({k + 1,
                             1,
-                            lookingDown(0.6, 0.8 * k) * elsewhere,
+                            rig::lookingDown(0.6, 0.8 * k) * elsewhere,
                             "cam2/" + std::to_string(k) + ".jpg",
                             {}});
   for (std::uint64_t k = 0; k < 100; ++k)
@@ -90,9 +90,9 @@ TEST_F(ColmapProgram, GivesTheShotsTheirPosesInATurntableFrame) {
   ASSERT_EQ(poses->images.size(), 6U);
   EXPECT_FALSE(poses->has_scale);
   EXPECT_EQ(poses->images[3].stop, 3);
-  EXPECT_EQ(poses->images[3].intrinsics.cx, lens(2600).cx);
+  EXPECT_EQ(poses->images[3].intrinsics.cx, rig::lens(2600).cx);
   // Cameras circle at sin(0.6) * 600 above the lowest points, cos(0.6) * 600 from the axis.
-  for (const PosedImage& image : poses->images) {
+  for (const rig::PosedImage& image : poses->images) {
     EXPECT_NEAR(image.centre().z(), 600 * std::sin(0.6), 0.5);
     EXPECT_NEAR(image.centre().head<2>().norm(), 600 * std::cos(0.6), 1e-6);
   }
@@ -134,11 +134,11 @@ TEST_F(ColmapProgram, HandsOverSmallerCopiesByLensAndGivesCamerasOfThePhotograph
     ASSERT_TRUE(cv::imwrite(by_hand[k].file.string(), cv::Mat3b(1200, 1600, {90, 80, 70})));
   }
   ColmapModel model;
-  model.cameras.push_back(toColmap(reduced(lens(2600), 800, 600), 1));
+  model.cameras.push_back(toColmap(rig::reduced(rig::lens(2600), 800, 600), 1));
   for (std::uint32_t k = 0; k < 4; ++k)
     model.images.push_back({k + 1,
                             1,
-                            lookingDown(0.6, 0.8 * k),
+                            rig::lookingDown(0.6, 0.8 * k),
                             "cam" + std::to_string(k / 2) + "/" + std::to_string(k) + ".jpg",
                             {}});
   model.points.push_back({1, {0, 0, 0}, {}, 0.5, {}});
@@ -155,9 +155,9 @@ TEST_F(ColmapProgram, HandsOverSmallerCopiesByLensAndGivesCamerasOfThePhotograph
   ASSERT_EQ(poses->images.size(), 4u);
   EXPECT_EQ(poses->images[2].intrinsics.width, 1600);
   EXPECT_NEAR(poses->images[2].intrinsics.fx, 2600, 1e-9);
-  EXPECT_NEAR(poses->images[2].intrinsics.cx, lens(2600).cx, 1e-9);
+  EXPECT_NEAR(poses->images[2].intrinsics.cx, rig::lens(2600).cx, 1e-9);
   // People hold cameras upright and look down: z points up, and all four are above the middle.
-  for (const PosedImage& image : poses->images) EXPECT_GT(image.centre().z(), 300);
+  for (const rig::PosedImage& image : poses->images) EXPECT_GT(image.centre().z(), 300);
 }
 
 TEST_F(ColmapProgram, TrustsTheOutputAndNotTheExitStatus) {
@@ -189,4 +189,4 @@ TEST_F(ColmapProgram, IsKilledWhenAStopIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -13,7 +13,7 @@
 
 #include "colmap/colmap_program.h"
 
-namespace ostraka::rig {
+namespace ostraka::colmap {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST_F(RunProgram, AWorkspaceIsEmptiedForOneRunAndRefusedToASecondByName) {
 }
 
 }  // namespace
-}  // namespace ostraka::rig
+}  // namespace ostraka::colmap

@@ -15,7 +15,7 @@
 #include "review/review.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ class DecidedPairs : public testing::Test {
     std::string pattern = (fs::temp_directory_path() / "ostraka_review_XXXXXX").string();
     ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
     folder_ = pattern;
-    out_ = writeSyntheticOut(folder_ / "out", {});
+    out_ = pipeline::writeSyntheticOut(folder_ / "out", {});
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
   void TearDown() override { fs::remove(out_.output / "decisions.json"); }
@@ -63,11 +63,11 @@ class DecidedPairs : public testing::Test {
   }
 
   static fs::path folder_;
-  static SyntheticOut out_;
+  static pipeline::SyntheticOut out_;
 };
 
 fs::path DecidedPairs::folder_;
-SyntheticOut DecidedPairs::out_;
+pipeline::SyntheticOut DecidedPairs::out_;
 
 TEST_F(DecidedPairs, WithoutDecisionsAreTheProgramsOwn) {
   const PairTable table = with({});
@@ -105,11 +105,11 @@ TEST_F(DecidedPairs, KeepTheProgramsOwnScoreAndPose) {
 
 TEST_F(DecidedPairs, APoseThatNoCandidateHasIsLeftToTheRegistration) {
   PairDecision d = pair(0, 0);
-  d.front_from_back = movedByHand(out_.front_from_back[0], out_.table.backs[0],
-                                  Eigen::Vector3d(0, 0, 0.2), Eigen::Vector3d(1, 0, 0));
+  d.front_from_back = review::movedByHand(out_.front_from_back[0], out_.table.backs[0],
+                                          Eigen::Vector3d(0, 0, 0.2), Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(with({d}).pairs[0].registration.start, -1);
-  d.front_from_back = movedByHand(out_.front_from_back[0], out_.table.backs[0],
-                                  Eigen::Vector3d(0, 0, 0.002), Eigen::Vector3d(0.1, 0, 0));
+  d.front_from_back = review::movedByHand(out_.front_from_back[0], out_.table.backs[0],
+                                          Eigen::Vector3d(0, 0, 0.002), Eigen::Vector3d(0.1, 0, 0));
   EXPECT_EQ(with({d}).pairs[0].registration.start, 0) << "within 0.5 mm it is the candidate's";
 }
 
@@ -165,21 +165,21 @@ TEST_F(DecidedPairs, AboutASidePhotographedAgainAreSaidAndChangeNothing) {
 }
 
 TEST_F(DecidedPairs, TheReviewShowsTheMostDoubtfulFirstAndTheDisplacedOnTop) {
-  const Result<Review> before = reviewOf(out_.table, {});
+  const Result<review::Review> before = review::reviewOf(out_.table, {});
   ASSERT_TRUE(before.has_value());
-  EXPECT_EQ(before->cards[0].state, CardState::Ask);
-  EXPECT_EQ(before->cards[1].state, CardState::Ask);
-  EXPECT_EQ(before->cards[2].state, CardState::Sure);
+  EXPECT_EQ(before->cards[0].state, review::CardState::Ask);
+  EXPECT_EQ(before->cards[1].state, review::CardState::Ask);
+  EXPECT_EQ(before->cards[2].state, review::CardState::Sure);
   EXPECT_EQ(before->waiting(), 2);
   EXPECT_EQ(before->cards[0].doubt, pairing::Doubt::OtherPartner);
   EXPECT_EQ(before->cards[0].candidates.size(), 2u);
   EXPECT_NEAR(before->cards[0].candidates[0].score + before->cards[0].candidates[1].score, 1, 1e-2);
 
-  const Result<Review> after = reviewOf(out_.table, {pair(0, 0)});
+  const Result<review::Review> after = review::reviewOf(out_.table, {pair(0, 0)});
   ASSERT_TRUE(after.has_value());
   EXPECT_EQ(after->cards[0].front, 1);
   EXPECT_EQ(after->cards[0].doubt, pairing::Doubt::Displaced);
-  EXPECT_EQ(after->ofFront(0)->state, CardState::Decided);
+  EXPECT_EQ(after->ofFront(0)->state, review::CardState::Decided);
   EXPECT_EQ(after->waiting(), 1);
 }
 
@@ -199,8 +199,8 @@ TEST_F(DecidedPairs, TheTableOfCandidatesIsReadBackWhole) {
 // with.
 TEST_F(DecidedPairs, ThatWereComputedAreShownAsTheyWereRegistered) {
   PairDecision d = pair(0, 0);
-  d.front_from_back = movedByHand(out_.front_from_back[0], out_.table.backs[0],
-                                  Eigen::Vector3d(0, 0, 0.2), Eigen::Vector3d(1, 0, 0));
+  d.front_from_back = review::movedByHand(out_.front_from_back[0], out_.table.backs[0],
+                                          Eigen::Vector3d(0, 0, 0.2), Eigen::Vector3d(1, 0, 0));
   PairTable computed = with({d});
   computed.pairs[0].registration.front_from_back = out_.front_from_back[0];
   computed.pairs[0].registration.fracture_rms_mm = 0.21;
@@ -209,12 +209,13 @@ TEST_F(DecidedPairs, ThatWereComputedAreShownAsTheyWereRegistered) {
   const Result<CandidateTable> read = readCandidatesOf(out_.output);
   fs::remove(out_.output / "pairs.json");
   ASSERT_TRUE(read.has_value());
-  const Result<Review> review = reviewOf(*read, {d});
+  const Result<review::Review> review = review::reviewOf(*read, {d});
   ASSERT_TRUE(review.has_value());
   EXPECT_TRUE(review->ofFront(0)->front_from_back.isApprox(out_.front_from_back[0], 1e-6));
   EXPECT_EQ(review->ofFront(0)->fracture_rms_mm, 0.21);
   d.at = "2026-07-14T09:31:00Z";  // turned once more since
-  EXPECT_TRUE(reviewOf(*read, {d})->ofFront(0)->front_from_back.isApprox(*d.front_from_back, 1e-6));
+  EXPECT_TRUE(
+      review::reviewOf(*read, {d})->ofFront(0)->front_from_back.isApprox(*d.front_from_back, 1e-6));
 }
 
 TEST_F(DecidedPairs, ABatchWithoutCandidatesSaysWhatToDo) {
@@ -224,14 +225,14 @@ TEST_F(DecidedPairs, ABatchWithoutCandidatesSaysWhatToDo) {
 }
 
 TEST_F(DecidedPairs, LiveARegistrationGoesOnFromAPoseMadeByHand) {
-  const auto live = LivePairs::open(out_.output);
+  const auto live = review::LivePairs::open(out_.output);
   ASSERT_TRUE(live.has_value()) << live.error().sentence();
   const Eigen::Isometry3d& truth = out_.front_from_back[0];
   const Eigen::Isometry3d off =
-      movedByHand(truth, out_.table.backs[0], {0, 0, 0.05}, {0.5, 0.3, 0});
-  const Result<LiveFit> before = (*live)->measured(0, 0, off);
+      review::movedByHand(truth, out_.table.backs[0], {0, 0, 0.05}, {0.5, 0.3, 0});
+  const Result<review::LiveFit> before = (*live)->measured(0, 0, off);
   ASSERT_TRUE(before.has_value()) << before.error().sentence();
-  const Result<LiveFit> after = (*live)->settled(0, 0, off, {});
+  const Result<review::LiveFit> after = (*live)->settled(0, 0, off, {});
   ASSERT_TRUE(after.has_value()) << after.error().sentence();
   EXPECT_LT(after->fracture_rms_mm, before->fracture_rms_mm);
   // 0.1 mm: the registration's own bar on clean scans; these are 24 mm small.
@@ -240,13 +241,14 @@ TEST_F(DecidedPairs, LiveARegistrationGoesOnFromAPoseMadeByHand) {
 }
 
 TEST_F(DecidedPairs, LiveTheStartPointGoesAroundTheOutline) {
-  const auto live = LivePairs::open(out_.output);
+  const auto live = review::LivePairs::open(out_.output);
   ASSERT_TRUE(live.has_value());
-  const Result<LiveFit> a = (*live)->atStartPoint(2, 2, 10), b = (*live)->atStartPoint(2, 2, 210);
+  const Result<review::LiveFit> a = (*live)->atStartPoint(2, 2, 10),
+                                b = (*live)->atStartPoint(2, 2, 210);
   ASSERT_TRUE(a.has_value() && b.has_value());
   EXPECT_EQ(b->shift, 10);
   EXPECT_EQ(a->front_from_back.matrix(), b->front_from_back.matrix());
-  const Result<LiveFit> next = (*live)->atStartPoint(2, 2, 11);
+  const Result<review::LiveFit> next = (*live)->atStartPoint(2, 2, 11);
   const double angle = Eigen::AngleAxisd(Eigen::Matrix3d(a->front_from_back.linear().transpose() *
                                                          next->front_from_back.linear()))
                            .angle();
@@ -254,9 +256,9 @@ TEST_F(DecidedPairs, LiveTheStartPointGoesAroundTheOutline) {
 }
 
 TEST_F(DecidedPairs, TheViewLaysBothSidesOnEachOther) {
-  const auto live = LivePairs::open(out_.output);
+  const auto live = review::LivePairs::open(out_.output);
   ASSERT_TRUE(live.has_value());
-  const Result<PairView> view = (*live)->view(2, 2, out_.front_from_back[2]);
+  const Result<review::PairView> view = (*live)->view(2, 2, out_.front_from_back[2]);
   ASSERT_TRUE(view.has_value()) << view.error().sentence();
   EXPECT_EQ(view->front.width, view->frame.width);
   ASSERT_EQ(view->back.rgba.size(), view->front.rgba.size());
@@ -276,7 +278,7 @@ TEST_F(DecidedPairs, TheViewLaysBothSidesOnEachOther) {
 }
 
 TEST_F(DecidedPairs, APairThatTheProgramDidNotCompareIsComparedOnDemand) {
-  const auto live = LivePairs::open(out_.output);
+  const auto live = review::LivePairs::open(out_.output);
   ASSERT_TRUE(live.has_value());
   EXPECT_EQ(out_.table.find(0, 3), nullptr);
   const Result<RegisteredCandidate> other = (*live)->compared(0, 3, {});
@@ -297,13 +299,13 @@ TEST_F(DecidedPairs, AnIsolatedDecisionIsRegisteredFromItsPose) {
   const auto whole =
       editedPieces({{"f001", *front, {}, Eigen::Vector3d::UnitZ()}}, Side::Front, {});
   ASSERT_EQ(whole.scans.size(), 1u);
-  const auto live = LivePairs::open(out_.output);
+  const auto live = review::LivePairs::open(out_.output);
   scan::Scan f{"f001", *front, {}, Eigen::Vector3d::UnitZ()};
   scan::Scan b{"b001", *back, {}, Eigen::Vector3d::UnitZ()};
   // Fractures as the chain finds them, through the edits of pieces that change nothing.
   PairDecision d = pair(0, 0);
   d.front_from_back =
-      movedByHand(out_.front_from_back[0], out_.table.backs[0], {0, 0, 0.03}, {0.4, 0, 0});
+      review::movedByHand(out_.front_from_back[0], out_.table.backs[0], {0, 0, 0.03}, {0.4, 0, 0});
   QuietProgress quiet;
   const auto held = registerDecided(d, f, b, {{}, {}, true, true}, {}, quiet, {});
   ASSERT_TRUE(held.has_value()) << held.error().sentence();
@@ -352,4 +354,4 @@ TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

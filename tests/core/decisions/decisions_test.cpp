@@ -8,7 +8,7 @@
 #include "decisions/candidate_table.h"
 #include "files/files.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST_F(DecisionsOf, WhatChangedSinceTheResultsIsKnown) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

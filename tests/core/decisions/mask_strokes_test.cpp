@@ -7,7 +7,7 @@
 
 #include "files/files.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ TEST_F(MaskStrokes, CoverADiscOrAWayOfTheBrushsWidth) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -8,7 +8,7 @@
 #include "cloud/ply.h"
 #include "files/files.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::decisions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -127,4 +127,4 @@ TEST_F(ScanFolders, InAnotherUnitAreNamedWithIt) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::decisions

@@ -6,7 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 using ::testing::HasSubstr;
@@ -66,4 +66,4 @@ TEST(DescriptorChannel, RefusesWhatIsNoAddressOrDoesNotAnswer) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

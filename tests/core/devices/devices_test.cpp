@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,4 +112,4 @@ TEST_F(Devices, AreNoneOnAComputerWithoutUsb) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

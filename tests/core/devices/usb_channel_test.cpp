@@ -18,13 +18,13 @@
 #include "tests/core/capture/simulated_controllers.h"
 #include "turntables/grbl.h"
 
-namespace ostraka::capture {
+namespace ostraka::devices {
 namespace {
 
+using capture::testing::Mischief;
+using capture::testing::SimulatedGrbl;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::Mischief;
-using testing::SimulatedGrbl;
 
 constexpr const char* kNode = "/dev/bus/usb/001/002";
 constexpr const char* kPlace = "/sys/devices/pci0000:00/usb1/1-1";
@@ -294,7 +294,7 @@ TEST_F(UsbChannel, TurnsATable) {
   controller_->opened();
   auto channel = openUsb("1209:0001", 115200);
   ASSERT_TRUE(channel.has_value()) << channel.error().what;
-  auto table = openGrbl(std::move(*channel), {.speed_deg_s = 2000}, steadyClock(), {});
+  auto table = turntables::openGrbl(std::move(*channel), {.speed_deg_s = 2000}, steadyClock(), {});
   ASSERT_TRUE(table.has_value()) << table.error().what;
   ASSERT_TRUE((*table)->zeroHere({}).has_value());
   ASSERT_TRUE((*table)->moveTo(45, {}).has_value());
@@ -352,4 +352,4 @@ TEST_F(UsbChannel, SaysWhyADeviceCannotBeUsed) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::devices

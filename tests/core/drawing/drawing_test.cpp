@@ -8,7 +8,7 @@ namespace ostraka::drawing {
 namespace {
 
 using testing::HasSubstr;
-using virtualrig::SherdPart;
+using vessels::SherdPart;
 
 const TrueSherdOfVessel& wallSherd() {
   static const TrueSherdOfVessel sherd = trueSherd(SherdPart::Wall, 41, 0);

@@ -12,7 +12,7 @@
 namespace ostraka::drawing {
 namespace {
 
-using virtualrig::SherdPart;
+using vessels::SherdPart;
 
 // A sector of a cone's wall and a ring on top of it, about an axis that stands off and leans.
 std::vector<ProfilePoint> cone(const Eigen::Isometry3d& model_from_axis) {

@@ -10,8 +10,8 @@ namespace ostraka::exchange {
 namespace {
 
 namespace fs = std::filesystem;
-using catalogue::SherdRecord;
 using drawing::RimChoice;
+using records::SherdRecord;
 using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
@@ -47,7 +47,7 @@ class DrawnSherds : public ExportedProject {
 };
 
 TEST_F(DrawnSherds, AreNamedByTheirNumbersAndWhatCannotBeDrawnIsNamed) {
-  const std::vector<catalogue::SherdRow> two = {rows[1], rows[2]};
+  const std::vector<store::SherdRow> two = {rows[1], rows[2]};
   const auto drawn = drawSherds(catalogue(), project_->folder(), two, {}, quiet, {});
   ASSERT_TRUE(drawn) << drawn.error().sentence();
   ASSERT_EQ(drawn->drawings.size(), 1u);
@@ -63,7 +63,7 @@ TEST_F(DrawnSherds, LeaveVoidOnesOutAndSayWhichUnlessOneAloneIsWanted) {
   model(0, closedShell());
   ASSERT_TRUE(set(rows[0], "part", "body"));
   ASSERT_TRUE(set(rows[0], "void_reason", "a brick"));
-  const std::vector<catalogue::SherdRow> two = {rows[0], rows[1]}, one = {rows[0]};
+  const std::vector<store::SherdRow> two = {rows[0], rows[1]}, one = {rows[0]};
   const auto plates = drawSherds(catalogue(), project_->folder(), two, {}, quiet, {});
   ASSERT_TRUE(plates) << plates.error().sentence();
   EXPECT_THAT(plates->rows, testing::ElementsAre(rows[1]));
@@ -81,7 +81,7 @@ TEST_F(DrawnSherds, ThatAreVoidAreInTheExportsTableAndInNoDrawing) {
   ExportOptions options;
   options.target = folder_.path() / "out";
   options.forms = {Form::Drawings, Form::Csv};
-  const std::vector<catalogue::SherdRow> one = {rows[1]};
+  const std::vector<store::SherdRow> one = {rows[1]};
   const auto size = sizeOfExport(catalogue(), project_->folder(), one, options, {});
   ASSERT_TRUE(size);
   EXPECT_EQ(size->drawings, 0);
@@ -99,7 +99,7 @@ TEST_F(DrawnSherds, PrintWhatAPersonMeasuredInsteadOfWhatTheModelSays) {
     EXPECT_TRUE(drawn) << drawn.error().sentence();
     return formatSvg(drawing::layOut({*drawn}, 1, {})[0], "x");
   };
-  catalogue::Measurement by_program;
+  records::Measurement by_program;
   by_program.sherd = rows[1];
   by_program.kind = "width";
   by_program.value = 77;
@@ -126,7 +126,7 @@ TEST_F(DrawnSherds, TravelInTheExportWithTheirChecksums) {
   ExportOptions options;
   options.target = folder_.path() / "out";
   options.forms = {Form::Drawings, Form::Csv, Form::Json};
-  const std::vector<catalogue::SherdRow> two = {rows[1], rows[2]};
+  const std::vector<store::SherdRow> two = {rows[1], rows[2]};
   const auto size = sizeOfExport(catalogue(), project_->folder(), two, options, {});
   ASSERT_TRUE(size);
   EXPECT_EQ(size->drawings, 2);
@@ -134,11 +134,12 @@ TEST_F(DrawnSherds, TravelInTheExportWithTheirChecksums) {
   const auto done = exportFolder(catalogue(), project_->folder(), two, options, quiet, {});
   ASSERT_TRUE(done) << done.error().sentence();
   EXPECT_THAT(done->warnings, testing::ElementsAre(HasSubstr("Not drawn: ARM1-T3-0012-0003")));
-  const auto files = checkBag(options.target, quiet, {});
+  const auto files = archive::checkBag(options.target, quiet, {});
   ASSERT_TRUE(files) << files.error().sentence();
   for (const char* ending : {"svg", "pdf"})
-    EXPECT_THAT(*files, Contains(Field(&BagFile::path, std::string("data/drawings/") +
-                                                           "ARM1-T3-0012-0002." + ending)));
+    EXPECT_THAT(*files,
+                Contains(Field(&archive::BagFile::path,
+                               std::string("data/drawings/") + "ARM1-T3-0012-0002." + ending)));
   const std::string svg = *readFile(options.target / "data/drawings/ARM1-T3-0012-0002.svg");
   EXPECT_THAT(svg, HasSubstr(">ARM1-T3-0012-0002</text>"));
   EXPECT_THAT(svg, HasSubstr(">1 : 1</text>"));
@@ -157,7 +158,7 @@ TEST_F(DrawnSherds, AreExportedAtTheScaleWantedOrAtTheOneThatFits) {
     options.target = folder_.path() / name;
     options.forms = {Form::Drawings};
     options.drawing_scale = scale;
-    const std::vector<catalogue::SherdRow> one = {rows[1]};
+    const std::vector<store::SherdRow> one = {rows[1]};
     EXPECT_TRUE(exportFolder(catalogue(), project_->folder(), one, options, quiet, {}));
     return *readFile(options.target / "data/drawings/ARM1-T3-0012-0002.svg");
   };

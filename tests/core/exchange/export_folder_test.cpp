@@ -30,7 +30,7 @@ TEST_F(Export, HoldsEverythingThatWasChosenWithItsChecksum) {
         "photographs/B0001/front/cam0_pos00.jpg", "metadata/project.json", "metadata/places.json",
         "metadata/batches.json", "context.jsonld", "README.txt"})
     EXPECT_TRUE(fs::exists(data / name)) << name;
-  EXPECT_TRUE(checkBag(folder_.path() / "out", quiet, {}));
+  EXPECT_TRUE(archive::checkBag(folder_.path() / "out", quiet, {}));
   EXPECT_EQ(*readFile(data / "photographs/B0001/front/cam0_pos00.jpg"), "JPEG");
 }
 
@@ -65,7 +65,7 @@ class Editing final : public Progress {
 };
 
 TEST_F(Export, IsOfOneMomentWhateverIsEditedMeanwhile) {
-  const auto own = Project::connect(project_->folder());
+  const auto own = upkeep::Project::connect(project_->folder());
   ASSERT_TRUE(own);
   Editing editing([&] {
     EXPECT_TRUE(set(rows[0], "weight_g", "99"));
@@ -86,10 +86,10 @@ TEST_F(Export, IsOfOneMomentWhateverIsEditedMeanwhile) {
 }
 
 TEST_F(Export, MakesAGlbWhereThereIsAPlyAlone) {
-  FileRecord glb;
+  records::FileRecord glb;
   const auto files = catalogue().files(rows[1]);
   ASSERT_TRUE(files);
-  for (const FileRecord& file : *files)
+  for (const records::FileRecord& file : *files)
     if (file.path.ends_with(".glb")) glb = file;
   ASSERT_FALSE(glb.path.empty());
   glb.role = "report";
@@ -168,7 +168,7 @@ TEST_F(Export, TheTableNamesTheFilesOfEachSherd) {
   ASSERT_TRUE(exportTo("out", all));
   const std::string text = *readFile(folder_.path() / "out/data/sherds.csv");
   EXPECT_TRUE(text.starts_with("\xEF\xBB\xBFnumber,uuid,"));
-  const Result<CsvTable> table = parseCsv(text, "sherds.csv");
+  const Result<tables::CsvTable> table = tables::parseCsv(text, "sherds.csv");
   ASSERT_TRUE(table) << table.error().sentence();
   ASSERT_EQ(table->rows.size(), 3u);
   const auto value = [&](std::size_t row, const std::string& column) {
@@ -188,7 +188,7 @@ TEST_F(Export, TablesSayWhereTheMassLiesOfModelsThatGoAlong) {
   ASSERT_TRUE(exportTo("without", {Form::Csv}));
   for (const auto& [folder, centre] : {std::pair("with", "0.25"), std::pair("without", "")}) {
     const auto table =
-        parseCsv(*readFile(folder_.path() / folder / "data/sherds.csv"), "sherds.csv");
+        tables::parseCsv(*readFile(folder_.path() / folder / "data/sherds.csv"), "sherds.csv");
     ASSERT_TRUE(table);
     for (const char* column : {"mass_centre_x_mm", "mass_centre_y_mm", "mass_centre_z_mm"}) {
       const auto at = std::find(table->columns.begin(), table->columns.end(), column);
@@ -203,15 +203,15 @@ TEST_F(Export, TablesSayWhereTheMassLiesOfModelsThatGoAlong) {
 TEST_F(Export, EachColumnOfItsTablesIsExplained) {
   ASSERT_TRUE(exportTo("out", {Form::Csv}));
   const fs::path data = folder_.path() / "out/data";
-  const auto meanings = parseCsv(*readFile(data / "columns.csv"), "columns.csv");
+  const auto meanings = tables::parseCsv(*readFile(data / "columns.csv"), "columns.csv");
   ASSERT_TRUE(meanings);
   std::set<std::string> explained;
-  for (const CsvRow& row : meanings->rows) {
+  for (const tables::CsvRow& row : meanings->rows) {
     EXPECT_TRUE(explained.insert(row.values[0]).second) << row.values[0];
     EXPECT_FALSE(row.values[2].empty()) << row.values[0];
   }
   for (const char* file : {"sherds.csv", "contexts.csv"}) {
-    const auto table = parseCsv(*readFile(data / file), file);
+    const auto table = tables::parseCsv(*readFile(data / file), file);
     ASSERT_TRUE(table);
     for (const std::string& column : table->columns)
       EXPECT_TRUE(explained.contains(column) || column.starts_with("extra.")) << column;
@@ -263,7 +263,7 @@ TEST_F(Export, ARecordSaysWhereItsValuesComeFrom) {
 
 TEST_F(Export, ADoubtfulScaleIsSaidInModelsRecordsAndTheReadMe) {
   ASSERT_TRUE(exportTo("sure", all));
-  BatchRecord held = *catalogue().batch(batch);
+  records::BatchRecord held = *catalogue().batch(batch);
   held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
   ASSERT_TRUE(catalogue().saveBatch(held, anna));
   ASSERT_TRUE(exportTo("doubtful", all));
@@ -334,7 +334,7 @@ TEST_F(Export, WhatIsMissingIsNamedAndTheRestIsWhole) {
   ASSERT_TRUE(done);
   ASSERT_EQ(done->warnings.size(), 2u);  // the other is about a drawing
   EXPECT_NE(done->warnings[0].find("/preview.png"), std::string::npos);
-  EXPECT_TRUE(checkBag(folder_.path() / "out", quiet, {}));
+  EXPECT_TRUE(archive::checkBag(folder_.path() / "out", quiet, {}));
 }
 
 TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {

@@ -23,7 +23,7 @@ class ExportedProject : public catalogue::SmallProject {
     }
     const std::string photograph = "batches/B0001/front/cam0_pos00.jpg";
     put(project_->folder() / photograph, "JPEG");
-    catalogue::FileRecord f;
+    records::FileRecord f;
     f.path = photograph;
     f.sha256 = sha256("JPEG");
     f.bytes = 4;
@@ -31,8 +31,8 @@ class ExportedProject : public catalogue::SmallProject {
     f.role = "photo";
     f.batch = batch;
     EXPECT_TRUE(catalogue().save(f, anna));
-    EXPECT_TRUE(catalogue::enterResults(catalogue(), project_->folder(), batch,
-                                        project_->resultsFolder("B0001"), {}, quiet, {}));
+    EXPECT_TRUE(intake::enterResults(catalogue(), project_->folder(), batch,
+                                     project_->resultsFolder("B0001"), {}, quiet, {}));
     rows = *catalogue().sherdRows(batch);
     EXPECT_TRUE(catalogue().assignNumbers(rows, anna));
     EXPECT_TRUE(set(rows[0], "part", "rim; neck"));
@@ -47,9 +47,9 @@ class ExportedProject : public catalogue::SmallProject {
     EXPECT_TRUE(writeFileAtomically(path, bytes));
   }
   /// Of the i-th sherd.
-  std::string modelOf(int i) { return fileOf(i, &catalogue::SherdRecord::model_path); }
-  std::string pictureOf(int i) { return fileOf(i, &catalogue::SherdRecord::preview_path); }
-  std::string fileOf(int i, std::string catalogue::SherdRecord::*path) {
+  std::string modelOf(int i) { return fileOf(i, &records::SherdRecord::model_path); }
+  std::string pictureOf(int i) { return fileOf(i, &records::SherdRecord::preview_path); }
+  std::string fileOf(int i, std::string records::SherdRecord::*path) {
     const auto sherd = catalogue().sherd(rows[static_cast<std::size_t>(i)]);
     return (project_->folder() / ((*sherd).*path)).string();
   }
@@ -62,10 +62,10 @@ class ExportedProject : public catalogue::SmallProject {
   }
   const std::set<Form> all = {Form::Csv, Form::Json,     Form::Ply,         Form::Glb,
                               Form::Obj, Form::Pictures, Form::Photographs, Form::Drawings};
-  catalogue::BatchRow batch;
+  store::BatchRow batch;
   catalogue::ResultFolder out;
   QuietProgress quiet;
-  std::vector<catalogue::SherdRow> rows;
+  std::vector<store::SherdRow> rows;
 };
 
 }  // namespace ostraka::exchange

@@ -178,7 +178,7 @@ std::vector<Attack> attacksByManifest() {
        [](MendedBag& bag) {
          const fs::path opened = bag.folder() / "data";
          {
-           Project project = valueIn(Project::open(opened));
+           upkeep::Project project = valueIn(upkeep::Project::open(opened));
            project.catalogue().database().script(
                "UPDATE file SET path = '../../.ssh/id_rsa' WHERE role = 'photo'");
          }
@@ -205,14 +205,15 @@ class HostileBags : public ExportedProject {
 };
 
 TEST_F(HostileBags, AreNotRestoredAndWriteNothingAnywhere) {
-  ASSERT_TRUE(archiveProject(*project_, {at("archive")}, quiet, {}));
+  ASSERT_TRUE(archive::archiveProject(*project_, {at("archive")}, quiet, {}));
   int attacks = 0;
   for (const auto& some : {attacksByPath(), attacksByLink(), attacksByManifest()})
     for (const Attack& attack : some) {
       SCOPED_TRACE(attack.name);
       prepare("archive", attack);
       const auto before = everythingIn(folder_.path());
-      const Result<Restored> restored = restoreProject(at("bag"), at("home/project"), quiet, {});
+      const Result<archive::Restored> restored =
+          archive::restoreProject(at("bag"), at("home/project"), quiet, {});
       ASSERT_FALSE(restored);
       EXPECT_THAT(restored.error().code,
                   testing::AnyOf(ErrorCode::UnusableInput, ErrorCode::Damaged))
@@ -223,7 +224,7 @@ TEST_F(HostileBags, AreNotRestoredAndWriteNothingAnywhere) {
     }
   EXPECT_GE(attacks, 55);
   prepare("archive", {"none", {}});
-  EXPECT_TRUE(restoreProject(at("bag"), at("home/project"), quiet, {}))
+  EXPECT_TRUE(archive::restoreProject(at("bag"), at("home/project"), quiet, {}))
       << "mending alone harms none";
 }
 
@@ -316,16 +317,16 @@ std::vector<Attack> attacksByRecords() {
 
 TEST_F(HostileBags, AreNotImportedAndLeaveTheProjectAsItWas) {
   ASSERT_TRUE(exportTo("out", all));
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
-  Project other = valueIn(Project::create(at("other"), record));
+  upkeep::Project other = valueIn(upkeep::Project::create(at("other"), record));
   int attacks = 0;
   for (const Attack& attack : attacksByRecords()) {
     SCOPED_TRACE(attack.name);
     prepare("out", attack);
     const auto before = everythingIn(folder_.path());
     const std::int64_t history = other.catalogue().historyLength();
-    const auto read = readBack(other, at("bag"), ImportMode::Enter, {}, quiet, {});
+    const auto read = readBack(other, at("bag"), tables::ImportMode::Enter, {}, quiet, {});
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::UnusableInput) << read.error().sentence();
     EXPECT_EQ(other.catalogue().historyLength(), history);
@@ -334,19 +335,19 @@ TEST_F(HostileBags, AreNotImportedAndLeaveTheProjectAsItWas) {
   }
   EXPECT_GE(attacks, 40);
   prepare("out", {"none", {}});
-  const auto read = readBack(other, at("bag"), ImportMode::Enter, {}, quiet, {});
+  const auto read = readBack(other, at("bag"), tables::ImportMode::Enter, {}, quiet, {});
   EXPECT_TRUE(read) << read.error().sentence();
 }
 
 // What lies in the project already is reached by a link that somebody put there.
 TEST_F(HostileBags, AreNotImportedThroughLinksOfTheProject) {
   ASSERT_TRUE(exportTo("out", all));
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
-  Project other = valueIn(Project::create(at("other"), record));
+  upkeep::Project other = valueIn(upkeep::Project::create(at("other"), record));
   fs::create_directories(at("outside"));
   fs::create_directory_symlink(at("outside"), at("other/batches/B0001"));
-  const auto read = readBack(other, at("out"), ImportMode::Enter, {}, quiet, {});
+  const auto read = readBack(other, at("out"), tables::ImportMode::Enter, {}, quiet, {});
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
   EXPECT_TRUE(fs::is_empty(at("outside")));

@@ -16,42 +16,45 @@ using namespace catalogue;
 
 class ReadingBack : public ExportedProject {
  protected:
-  Project empty(const std::string& name) {
-    ProjectRecord record;
+  upkeep::Project empty(const std::string& name) {
+    records::ProjectRecord record;
     record.code = "ARM";
-    return std::move(*Project::create(folder_.path() / name, record));
+    return std::move(*upkeep::Project::create(folder_.path() / name, record));
   }
-  ImportReport read(Project& into, const std::string& name) {
-    return valueIn(readBack(into, folder_.path() / name, ImportMode::Enter, {}, quiet, {}));
+  tables::ImportReport read(upkeep::Project& into, const std::string& name) {
+    return valueIn(readBack(into, folder_.path() / name, tables::ImportMode::Enter, {}, quiet, {}));
   }
-  std::string joinsOf(std::size_t i) { return textOf(*catalogue().sherd(rows[i]), "joins"); }
+  std::string joinsOf(std::size_t i) {
+    return records::textOf(*catalogue().sherd(rows[i]), "joins");
+  }
 };
 
 TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  const ImportReport report = read(other, "out");
+  upkeep::Project other = empty("other");
+  const tables::ImportReport report = read(other, "out");
   EXPECT_EQ(report.fresh, 3);
   EXPECT_EQ(report.refused, 0) << (report.refusals.empty() ? "" : report.refusals[0].reason);
-  for (const SherdRow row : rows) {
-    const SherdRecord was = *catalogue().sherd(row);
-    const SherdRow now_row = *other.catalogue().sherdById(was.id);
+  for (const store::SherdRow row : rows) {
+    const records::SherdRecord was = *catalogue().sherd(row);
+    const store::SherdRow now_row = *other.catalogue().sherdById(was.id);
     ASSERT_TRUE(now_row) << was.number;
-    const SherdRecord now = *other.catalogue().sherd(now_row);
-    for (const SherdField& field : sherdFields())
-      EXPECT_EQ(textOf(now, field.name), textOf(was, field.name)) << was.number << field.name;
-    EXPECT_EQ(textOf(now, "extra.drawer"), textOf(was, "extra.drawer"));
+    const records::SherdRecord now = *other.catalogue().sherd(now_row);
+    for (const records::SherdField& field : records::sherdFields())
+      EXPECT_EQ(records::textOf(now, field.name), records::textOf(was, field.name))
+          << was.number << field.name;
+    EXPECT_EQ(records::textOf(now, "extra.drawer"), records::textOf(was, "extra.drawer"));
     const auto measured = *other.catalogue().measurements(now_row);
     const auto before = *catalogue().measurements(row);
     ASSERT_EQ(measured.size(), before.size());
-    for (const Measurement& m : before)
-      EXPECT_TRUE(std::any_of(measured.begin(), measured.end(), [&](const Measurement& n) {
+    for (const records::Measurement& m : before)
+      EXPECT_TRUE(std::any_of(measured.begin(), measured.end(), [&](const records::Measurement& n) {
         return n.kind == m.kind && n.value == m.value && n.method == m.method &&
                n.model_sha256 == m.model_sha256;
       })) << m.kind;
     EXPECT_TRUE(fs::exists(other.absolute(now.model_path)));
     EXPECT_TRUE(fs::exists(other.absolute(now.preview_path)));
-    for (const FileRecord& file : valueIn(other.catalogue().files(now_row)))
+    for (const records::FileRecord& file : valueIn(other.catalogue().files(now_row)))
       EXPECT_EQ(sha256(*readFile(other.absolute(file.path))), file.sha256) << file.path;
   }
   EXPECT_EQ(other.catalogue().contexts()->front().id, catalogue().context(context12)->id);
@@ -72,27 +75,28 @@ TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
   ASSERT_TRUE(set(rows[0], "ware", "cooking"));
   ASSERT_TRUE(set(rows[0], "note", "mine alone"));
   const auto merge = [&] {
-    return readBack(*project_, folder_.path() / "laptop b", ImportMode::Enter, anna, quiet, {});
+    return readBack(*project_, folder_.path() / "laptop b", tables::ImportMode::Enter, anna, quiet,
+                    {});
   };
-  const Result<ImportReport> report = merge();
+  const Result<tables::ImportReport> report = merge();
   ASSERT_TRUE(report) << report.error().sentence();
   EXPECT_EQ(report->same, 2);
   ASSERT_EQ(report->refusals.size(), 1u);
   EXPECT_THAT(report->refusals[0].reason, testing::HasSubstr("_in_laptop"));
-  const std::string from = "_in_" + slug("laptop b");
-  const SherdRecord both = *catalogue().sherd(rows[0]);
+  const std::string from = "_in_" + store::slug("laptop b");
+  const records::SherdRecord both = *catalogue().sherd(rows[0]);
   EXPECT_EQ(both.ware, "cooking");
   EXPECT_EQ(both.note, "mine alone");
-  EXPECT_EQ(textOf(both, "extra.ware" + from), "grey");
-  EXPECT_FALSE(textOf(both, "extra.note" + from).empty());
+  EXPECT_EQ(records::textOf(both, "extra.ware" + from), "grey");
+  EXPECT_FALSE(records::textOf(both, "extra.note" + from).empty());
   // Once more changes nothing, and it can be taken back.
   const std::int64_t history = catalogue().historyLength();
   ASSERT_TRUE(merge());
   EXPECT_EQ(catalogue().historyLength(), history);
   ASSERT_TRUE(catalogue().change(report->undo, anna));
-  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
+  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
   ASSERT_TRUE(catalogue().change(report->changes, anna)) << "and done again";
-  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "grey");
+  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "grey");
 }
 
 TEST_F(ReadingBack, KeepsBothVersionsOfFieldsOfOnesOwn) {
@@ -101,12 +105,12 @@ TEST_F(ReadingBack, KeepsBothVersionsOfFieldsOfOnesOwn) {
   ASSERT_TRUE(set(rows[0], "extra.drawer", "8"));
   ASSERT_TRUE(set(rows[1], "extra.drawn_by", ""));
   ASSERT_TRUE(set(rows[2], "extra.shelf", "3"));
-  const ImportReport report = read(*project_, "b");
+  const tables::ImportReport report = read(*project_, "b");
   EXPECT_EQ(report.same, 1) << "a field that only the project has is no difference";
   EXPECT_EQ(report.refused, 2);
-  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.drawer"), "8");
-  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.drawer_in_b"), "7");
-  EXPECT_EQ(textOf(*catalogue().sherd(rows[1]), "extra.drawn_by_in_b"), "LT");
+  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.drawer"), "8");
+  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.drawer_in_b"), "7");
+  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[1]), "extra.drawn_by_in_b"), "LT");
   const std::int64_t history = catalogue().historyLength();
   read(*project_, "b");
   EXPECT_EQ(catalogue().historyLength(), history);
@@ -121,7 +125,9 @@ TEST_F(ReadingBack, WhatAnotherProjectKeptOfThisOneIsNoVersionOfItsOwn) {
     ASSERT_TRUE(set(rows[0], field, ""));
   ASSERT_TRUE(set(rows[0], "ware", "grey"));
   read(*project_, "b");
-  const auto now = [&](const char* field) { return textOf(*catalogue().sherd(rows[0]), field); };
+  const auto now = [&](const char* field) {
+    return records::textOf(*catalogue().sherd(rows[0]), field);
+  };
   EXPECT_EQ(now("extra.ware_in_a_in_b"), "");
   EXPECT_EQ(now("extra.vessel_in_a_in_b"), "");
   EXPECT_EQ(now("extra.note_in_german_in_b"), "grau") << "a field that only looks like one";
@@ -143,12 +149,12 @@ TEST_F(ReadingBack, JoinsOnlyWithTheSherdThatTheExportMeans) {
   rows = {rows[1]};
   ASSERT_TRUE(exportTo("alone", {Form::Json}));
   for (const char* name : {"out", "alone"}) {
-    Project other = empty(std::string("reads ") + name);
-    ASSERT_TRUE(importTable(other.catalogue(),
-                            "number,site,trench,context\nARM1-T3-0012-0001,ARM1,T3,0012\n", "t.csv",
-                            {ImportMode::Enter, UnknownPlaces::Make}, {}, quiet, {}));
-    const ImportReport report = read(other, name);
-    const SherdRow own = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
+    upkeep::Project other = empty(std::string("reads ") + name);
+    ASSERT_TRUE(tables::importTable(
+        other.catalogue(), "number,site,trench,context\nARM1-T3-0012-0001,ARM1,T3,0012\n", "t.csv",
+        {tables::ImportMode::Enter, tables::UnknownPlaces::Make}, {}, quiet, {}));
+    const tables::ImportReport report = read(other, name);
+    const store::SherdRow own = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
     EXPECT_TRUE(other.catalogue().sherd(own)->joins.empty()) << name;
     ASSERT_EQ(report.warnings.size(), 1u);
     EXPECT_THAT(report.warnings[0],
@@ -158,23 +164,24 @@ TEST_F(ReadingBack, JoinsOnlyWithTheSherdThatTheExportMeans) {
 
 // Two laptops with the same batch found its fourth pair, each for itself.
 TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
-  ASSERT_TRUE(archiveProject(*project_, {folder_.path() / "archive"}, quiet, {}));
-  ASSERT_TRUE(restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {}));
-  Project laptop = valueIn(Project::open(folder_.path() / "laptop"));
-  for (Project* project : {&laptop, &*project_}) {
+  ASSERT_TRUE(archive::archiveProject(*project_, {folder_.path() / "archive"}, quiet, {}));
+  ASSERT_TRUE(
+      archive::restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {}));
+  upkeep::Project laptop = valueIn(upkeep::Project::open(folder_.path() / "laptop"));
+  for (upkeep::Project* project : {&laptop, &*project_}) {
     const ResultFolder four(project->resultsFolder("B0001"), 4);
-    ASSERT_TRUE(enterResults(project->catalogue(), project->folder(), batch,
-                             project->resultsFolder("B0001"), {}, quiet, {}));
+    ASSERT_TRUE(intake::enterResults(project->catalogue(), project->folder(), batch,
+                                     project->resultsFolder("B0001"), {}, quiet, {}));
     ASSERT_EQ(project->catalogue().sherdRows(batch)->size(), 4u);
   }
   ExportOptions options;
   options.target = folder_.path() / "out";
   options.forms = {Form::Json};
-  const std::vector<SherdRow> theirs = *laptop.catalogue().sherdRows(batch);
+  const std::vector<store::SherdRow> theirs = *laptop.catalogue().sherdRows(batch);
   ASSERT_TRUE(exportFolder(laptop.catalogue(), laptop.folder(), theirs, options, quiet, {}));
   EXPECT_EQ(read(*project_, "out").fresh, 1);
   const auto fourth = catalogue().sherdById(laptop.catalogue().sherd(theirs[3])->id);
-  const SherdRecord entered = *catalogue().sherd(*fourth);
+  const records::SherdRecord entered = *catalogue().sherd(*fourth);
   EXPECT_EQ(entered.batch, batch);
   EXPECT_FALSE(entered.front);
   EXPECT_TRUE(catalogue().checkIntegrity());
@@ -182,24 +189,26 @@ TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
 
 TEST_F(ReadingBack, KeepsFilesUnderTheNameOfTheExportWithASlashAtItsEndToo) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  ASSERT_TRUE(readBack(other, folder_.path() / "out" / "", ImportMode::Enter, {}, quiet, {}));
-  const SherdRow row = *other.catalogue().sherdById(catalogue().sherd(rows[0])->id);
+  upkeep::Project other = empty("other");
+  ASSERT_TRUE(
+      readBack(other, folder_.path() / "out" / "", tables::ImportMode::Enter, {}, quiet, {}));
+  const store::SherdRow row = *other.catalogue().sherdById(catalogue().sherd(rows[0])->id);
   EXPECT_THAT(other.catalogue().sherd(row)->model_path, testing::StartsWith("imported/out/"));
 }
 
 TEST_F(ReadingBack, NeverTakesAnotherFileForOneOfTheExport) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
+  upkeep::Project other = empty("other");
   const fs::path photograph = other.folder() / "batches/B0001/front/cam0_pos00.jpg";
   put(photograph, "another JPEG");
-  const auto read = readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
+  const auto read =
+      readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {});
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().where, photograph);
   EXPECT_EQ(*readFile(photograph), "another JPEG");
   EXPECT_FALSE(*other.catalogue().sherdById(catalogue().sherd(rows[0])->id)) << "nothing entered";
   put(photograph, "JPEG");
-  EXPECT_TRUE(readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {}))
+  EXPECT_TRUE(readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {}))
       << "the same file is no other one";
 }
 
@@ -255,7 +264,7 @@ const std::map<std::string, std::string> kWholeTables = {
 
 std::vector<std::string> rowsOf(const Catalogue& catalogue, const std::string& query) {
   std::vector<std::string> all;
-  Statement rows = catalogue.database().sql(query + " ORDER BY 1");
+  store::Statement rows = catalogue.database().sql(query + " ORDER BY 1");
   while (rows.next()) {
     all.emplace_back();
     rows >> all.back();
@@ -266,7 +275,7 @@ std::vector<std::string> rowsOf(const Catalogue& catalogue, const std::string& q
 TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   // Photographs, a decision of a person that was taken back, one that stays, a lone front.
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-    PhotographRecord p;
+    records::PhotographRecord p;
     p.batch = batch;
     p.side = side;
     p.camera = 'B';
@@ -282,39 +291,39 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
     ASSERT_TRUE(catalogue().save(p, anna));
   }
   const auto scans = valueIn(catalogue().scans(batch));
-  PairDecision d;
+  records::PairDecision d;
   d.batch = batch;
   d.front = scans[0].row;
   d.back = scans[3].row;
-  d.verdict = Verdict::Reject;
+  d.verdict = records::Verdict::Reject;
   const auto rejected = catalogue().decide(d, anna);
   ASSERT_TRUE(rejected) << rejected.error().sentence();
-  PairDecision taken_back = d;
-  taken_back.verdict = Verdict::Withdraw;
+  records::PairDecision taken_back = d;
+  taken_back.verdict = records::Verdict::Withdraw;
   taken_back.replaces = *rejected;
   ASSERT_TRUE(catalogue().decide(taken_back, anna));
-  d.verdict = Verdict::Accept;
+  d.verdict = records::Verdict::Accept;
   d.note = "the same paint";
   ASSERT_TRUE(catalogue().decide(d, anna));
-  PieceDecision joined;
+  intake::PieceDecision joined;
   joined.batch = batch;
   joined.pieces = {{"f001", {10, 20}}, {"f002", {30, 40}}};
-  const auto join = decidePieces(catalogue(), joined, anna);
+  const auto join = intake::decidePieces(catalogue(), joined, anna);
   ASSERT_TRUE(join) << join.error().sentence();
-  PieceDecision parted;
+  intake::PieceDecision parted;
   parted.batch = batch;
-  parted.verdict = PieceVerdict::Withdraw;
+  parted.verdict = intake::PieceVerdict::Withdraw;
   parted.replaces = *join;
-  ASSERT_TRUE(decidePieces(catalogue(), parted, anna));
-  BatchRecord record = *catalogue().batch(batch);
+  ASSERT_TRUE(intake::decidePieces(catalogue(), parted, anna));
+  records::BatchRecord record = *catalogue().batch(batch);
   record.operator_ = anna.person;
   record.counted = 3;
   record.scale_error_pct = 0.62;
   record.scale_doubts = "The scale is wrong: a length of 50 mm measures 49.69 mm.";
   ASSERT_TRUE(catalogue().saveBatch(record, anna));
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  const ImportReport report = read(other, "out");
+  upkeep::Project other = empty("other");
+  const tables::ImportReport report = read(other, "out");
   for (const auto& [table, query] : kWholeTables) {
     const std::vector<std::string> before = rowsOf(catalogue(), query);
     if (table == "context" || table == "bag") {  // places without a sherd do not travel
@@ -328,7 +337,7 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   EXPECT_TRUE(other.catalogue().checkIntegrity());
   // What counts is the same, too, and goes on from there.
   const auto was = *catalogue().currentDecisions(batch);
-  const BatchRow there = other.catalogue().batchByNumber("B0001")->row;
+  const store::BatchRow there = other.catalogue().batchByNumber("B0001")->row;
   ASSERT_EQ(other.catalogue().currentDecisions(there)->size(), was.size());
   read(other, "out");
   EXPECT_EQ(rowsOf(other.catalogue(), kWholeTables.at("pair_decision")),
@@ -337,22 +346,22 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
 
 TEST_F(ReadingBack, APersonOfTheSameInitialsStaysWhoTheyAre) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  const PersonRow known =
-      *other.catalogue().save(PersonRecord{{}, {}, "Anna Petrosyan", "AP", {}}, {});
-  const ImportReport report = read(other, "out");
+  upkeep::Project other = empty("other");
+  const store::PersonRow known =
+      *other.catalogue().save(records::PersonRecord{{}, {}, "Anna Petrosyan", "AP", {}}, {});
+  const tables::ImportReport report = read(other, "out");
   ASSERT_EQ(other.catalogue().persons()->size(), 1u);
   EXPECT_EQ(other.catalogue().persons()->front().row, known);
 }
 
 TEST_F(ReadingBack, APlaceOfTheSameNameIsTheSamePlace) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  SiteRecord own;
+  upkeep::Project other = empty("other");
+  records::SiteRecord own;
   own.code = "arm1";
   own.name = "The hill";
-  const SiteRow known = *other.catalogue().save(own, {});
-  const ImportReport report = read(other, "out");
+  const store::SiteRow known = *other.catalogue().save(own, {});
+  const tables::ImportReport report = read(other, "out");
   EXPECT_EQ(report.fresh, 3);
   ASSERT_EQ(other.catalogue().sites()->size(), 1u);
   EXPECT_EQ(other.catalogue().contexts()->front().site, known);
@@ -360,12 +369,12 @@ TEST_F(ReadingBack, APlaceOfTheSameNameIsTheSamePlace) {
 
 TEST_F(ReadingBack, TwiceGivesOnceAndADifferenceStaysAsItIs) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
+  upkeep::Project other = empty("other");
   read(other, "out");
-  const SherdRow row = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
-  const FieldChange change{row, "ware", "red"};
+  const store::SherdRow row = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
+  const records::FieldChange change{row, "ware", "red"};
   ASSERT_TRUE(other.catalogue().change(std::span(&change, 1), {}));
-  const ImportReport again = read(other, "out");
+  const tables::ImportReport again = read(other, "out");
   EXPECT_EQ(again.fresh, 0);
   EXPECT_EQ(again.same, 2);
   EXPECT_EQ(again.refused, 1);
@@ -377,26 +386,26 @@ TEST_F(ReadingBack, TwiceGivesOnceAndADifferenceStaysAsItIs) {
 // Each laptop begins with B0001.
 TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  const BatchRow own = *other.catalogue().addBatch({}, {});
+  upkeep::Project other = empty("other");
+  const store::BatchRow own = *other.catalogue().addBatch({}, {});
   put(other.folder() / "batches/B0001/front/cam0_pos00.jpg", "of its own");
   for (int time = 0; time < 2; ++time) {
-    const ImportReport report = read(other, "out");
+    const tables::ImportReport report = read(other, "out");
     EXPECT_EQ(report.fresh, time == 0 ? 3 : 0);
     EXPECT_EQ(report.same, time == 0 ? 0 : 3);
   }
   const std::string id = catalogue().batch(batch)->id;
   EXPECT_EQ(other.catalogue().batches()->size(), 2u);
   EXPECT_EQ(other.catalogue().batch(own)->number, "B0001");
-  const BatchRecord entered = **other.catalogue().batchById(id);
+  const records::BatchRecord entered = **other.catalogue().batchById(id);
   EXPECT_EQ(entered.number, "B0002");
   EXPECT_EQ(entered.note, "Was B0001 where it was made.");
   EXPECT_EQ(*readFile(other.folder() / "batches/B0001/front/cam0_pos00.jpg"), "of its own");
   EXPECT_EQ(*readFile(other.folder() / "batches/B0002/front/cam0_pos00.jpg"), "JPEG");
-  for (const ScanRecord& scan : valueIn(other.catalogue().scans(entered.row)))
+  for (const records::ScanRecord& scan : valueIn(other.catalogue().scans(entered.row)))
     EXPECT_TRUE(scan.path.starts_with("results/B0002/")) << scan.path;
-  for (const SherdRow row : rows) {
-    const SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
+  for (const store::SherdRow row : rows) {
+    const store::SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
     EXPECT_EQ(other.catalogue().sherd(there)->batch_number, "B0002");
     EXPECT_TRUE(fs::exists(other.absolute(other.catalogue().sherd(there)->model_path)));
   }
@@ -416,14 +425,14 @@ class Looking : public Progress {
 // The next batch that is photographed gets this number, and would find photographs in its folder.
 TEST_F(ReadingBack, ThatIsStoppedLeavesNoFileOfABatch) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
+  upkeep::Project other = empty("other");
   const fs::path photograph = other.folder() / "batches/B0001/front/cam0_pos00.jpg";
   std::stop_source stop;
   Looking stopping([&] {
     if (fs::exists(photograph)) stop.request_stop();
   });
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, stopping, stop.get_token());
+  const Result<tables::ImportReport> report = readBack(
+      other, folder_.path() / "out", tables::ImportMode::Enter, {}, stopping, stop.get_token());
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
   EXPECT_FALSE(fs::exists(other.folder() / "batches/B0001"));
@@ -433,7 +442,7 @@ TEST_F(ReadingBack, ThatIsStoppedLeavesNoFileOfABatch) {
 // Files are copied without a lock, and another window begins a batch.
 TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwhile) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
+  upkeep::Project other = empty("other");
   ASSERT_TRUE(other.catalogue().addBatch({}, {}));
   const auto photograph = [&](const char* number) {
     return other.folder() / "batches" / number / "front" / "cam0_pos00.jpg";
@@ -443,16 +452,16 @@ TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwh
     EXPECT_EQ(*other.catalogue().nextBatchNumber(), "B0002");
     EXPECT_TRUE(other.catalogue().addBatch({}, {}));
   });
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, beginning, {});
+  const Result<tables::ImportReport> report =
+      readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, beginning, {});
   ASSERT_TRUE(report) << report.error().sentence();
   EXPECT_EQ(report->fresh, 3);
-  const BatchRecord entered = **other.catalogue().batchById(catalogue().batch(batch)->id);
+  const records::BatchRecord entered = **other.catalogue().batchById(catalogue().batch(batch)->id);
   EXPECT_EQ(entered.number, "B0003");
   EXPECT_EQ(*readFile(photograph("B0003")), "JPEG");
   EXPECT_FALSE(fs::exists(other.folder() / "batches/B0002")) << "it is another batch's folder";
-  for (const SherdRow row : rows) {
-    const SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
+  for (const store::SherdRow row : rows) {
+    const store::SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
     EXPECT_TRUE(fs::exists(other.absolute(other.catalogue().sherd(there)->model_path)));
   }
   EXPECT_TRUE(other.catalogue().checkIntegrity());
@@ -460,9 +469,9 @@ TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwh
 
 TEST_F(ReadingBack, APreviewChangesNothing) {
   ASSERT_TRUE(exportTo("out", all));
-  Project other = empty("other");
-  const Result<ImportReport> preview =
-      readBack(other, folder_.path() / "out", ImportMode::Preview, {}, quiet, {});
+  upkeep::Project other = empty("other");
+  const Result<tables::ImportReport> preview =
+      readBack(other, folder_.path() / "out", tables::ImportMode::Preview, {}, quiet, {});
   ASSERT_TRUE(preview) << preview.error().sentence();
   EXPECT_EQ(preview->fresh, 3);
   EXPECT_TRUE(other.catalogue().contexts()->empty());
@@ -472,9 +481,9 @@ TEST_F(ReadingBack, APreviewChangesNothing) {
 TEST_F(ReadingBack, NothingEntersWhenAFileWasChanged) {
   ASSERT_TRUE(exportTo("out", all));
   put(folder_.path() / "out/data/models/ARM1-T3-0012-0002.ply", "changed");
-  Project other = empty("other");
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
+  upkeep::Project other = empty("other");
+  const Result<tables::ImportReport> report =
+      readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {});
   ASSERT_FALSE(report);
   EXPECT_NE(report.error().sentence().find("changed since the export"), std::string::npos);
   EXPECT_TRUE(other.catalogue().sherdRows(Filter{}, {})->empty());

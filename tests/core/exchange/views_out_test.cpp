@@ -47,7 +47,7 @@ void putBatch(const fs::path& project) {
 TEST(ViewsOut, HoldWhatColmapAndOpenMvsLookForAndNameTheirPhotographs) {
   const TemporaryFolder folder;
   putBatch(folder.path());
-  Result<BagWriter> bag = BagWriter::begin(folder.path() / "bag");
+  Result<archive::BagWriter> bag = archive::BagWriter::begin(folder.path() / "bag");
   ASSERT_TRUE(bag);
   const Result<void> added = addViews(*bag, folder.path(), "B0001", folder.path() / "scratch", {});
   ASSERT_TRUE(added) << added.error().sentence();
@@ -57,7 +57,7 @@ TEST(ViewsOut, HoldWhatColmapAndOpenMvsLookForAndNameTheirPhotographs) {
   for (const char* name :
        {"images/0007.png", "masks/0007.mask.png", "masks/0007.png.png", "sparse/points3D.txt"})
     EXPECT_TRUE(fs::exists(back / name)) << name;
-  const auto model = rig::readColmapModel(back / "sparse");
+  const auto model = colmap::readColmapModel(back / "sparse");
   ASSERT_TRUE(model) << model.error().sentence();
   ASSERT_EQ(model->images.size(), 8u);
   EXPECT_EQ(model->images[3].name, "0003.png");
@@ -103,7 +103,7 @@ TEST(ViewsOut, TakeTheFilesThatAreSaidBeforeAndTheirSizeWithinATenth) {
   putLargeBatch(folder.path());
   const Result<ViewsSize> size = sizeOfViews(folder.path(), "B0001");
   ASSERT_TRUE(size) << size.error().sentence();
-  Result<BagWriter> bag = BagWriter::begin(folder.path() / "bag");
+  Result<archive::BagWriter> bag = archive::BagWriter::begin(folder.path() / "bag");
   ASSERT_TRUE(bag);
   const Result<void> added = addViews(*bag, folder.path(), "B0001", folder.path() / "scratch", {});
   ASSERT_TRUE(added) << added.error().sentence();
@@ -114,7 +114,7 @@ TEST(ViewsOut, TakeTheFilesThatAreSaidBeforeAndTheirSizeWithinATenth) {
 
 TEST(ViewsOut, OfABatchWithoutResultsAreAnErrorThatNamesTheFile) {
   const TemporaryFolder folder;
-  Result<BagWriter> bag = BagWriter::begin(folder.path() / "bag");
+  Result<archive::BagWriter> bag = archive::BagWriter::begin(folder.path() / "bag");
   ASSERT_TRUE(bag);
   const Result<void> added = addViews(*bag, folder.path(), "B0001", folder.path() / "scratch", {});
   ASSERT_FALSE(added);

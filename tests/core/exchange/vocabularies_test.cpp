@@ -19,29 +19,29 @@ class Vocabularies : public ExportedProject {
     EXPECT_TRUE(catalogue().setVocabulary("decoration", terms, anna));
     EXPECT_TRUE(set(rows[0], "decoration", "perforated"));
     EXPECT_TRUE(exportTo("out", {Form::Json}));
-    ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
-    other.emplace(valueIn(Project::create(folder_.path() / "other", record)));
+    other.emplace(valueIn(upkeep::Project::create(folder_.path() / "other", record)));
   }
-  ImportReport read(ImportMode mode = ImportMode::Enter) {
+  tables::ImportReport read(tables::ImportMode mode = tables::ImportMode::Enter) {
     return valueIn(readBack(*other, folder_.path() / "out", mode, {}, quiet, {}));
   }
-  const Term* term(const std::string& name) {
+  const records::Term* term(const std::string& name) {
     words = valueIn(other->catalogue().vocabulary("decoration"));
-    for (const Term& one : words)
+    for (const records::Term& one : words)
       if (one.term == name) return &one;
     return nullptr;
   }
   std::string decoration() {
-    const SherdRow row = *other->catalogue().sherdById(catalogue().sherd(rows[0])->id);
-    return row ? textOf(*other->catalogue().sherd(row), "decoration") : "not there";
+    const store::SherdRow row = *other->catalogue().sherdById(catalogue().sherd(rows[0])->id);
+    return row ? records::textOf(*other->catalogue().sherd(row), "decoration") : "not there";
   }
-  std::optional<Project> other;
-  std::vector<Term> words;
+  std::optional<upkeep::Project> other;
+  std::vector<records::Term> words;
 };
 
 TEST_F(Vocabularies, BringTheirUsedTermsAlongWithLabelsAndUri) {
-  EXPECT_EQ(read(ImportMode::Preview).fresh, 3);
+  EXPECT_EQ(read(tables::ImportMode::Preview).fresh, 3);
   EXPECT_EQ(term("perforated"), nullptr) << "a preview changes nothing";
   EXPECT_EQ(read().fresh, 3);
   EXPECT_EQ(decoration(), "perforated");
@@ -67,7 +67,7 @@ TEST_F(Vocabularies, LeaveTheProjectsTermsAsTheyAre) {
 TEST_F(Vocabularies, AreInTheManifest) {
   const fs::path file = folder_.path() / "out/data/metadata/vocabularies.json";
   put(file, *readFile(file) + " ");
-  EXPECT_FALSE(readBack(*other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {}));
+  EXPECT_FALSE(readBack(*other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {}));
 }
 
 }  // namespace

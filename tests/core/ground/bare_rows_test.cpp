@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 constexpr Tolerance kTolerance{0.2F, 0.1F};
@@ -60,4 +60,4 @@ TEST(BareRows, TheAnchorHoldsWhatTheLastRoundWouldAccept) {
 }
 
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 TEST(Exponential, IsTheLibrarysToSevenDigits) {
@@ -31,4 +31,4 @@ TEST(Logarithm, IsTheLibrarysToSevenDigits) {
 }
 
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 batch::Plate ringPlate() {
@@ -65,4 +65,4 @@ TEST(PlateGeometry, MarkerPaperReachesOneModuleBeyondTheMarker) {
 }
 
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

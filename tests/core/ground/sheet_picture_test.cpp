@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-namespace ostraka::mask {
+namespace ostraka::ground {
 namespace {
 
 // A sheet of 120 x 80 mm with one marker of 20 mm, its middle at (-40, 20).
@@ -141,4 +141,4 @@ TEST(SheetPicture, NoticesThatTheLightTurnsOverTheSheet) {
 }
 
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::ground

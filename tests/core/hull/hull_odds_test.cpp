@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::mask {
+namespace ostraka::hull {
 namespace {
 
 // Columns of none to seven voxels behind, all four high; every second of 100 samples is lit plate
@@ -58,4 +58,4 @@ TEST(HullOdds, SayNothingWhereNoSampleIsSure) {
 }
 
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::hull

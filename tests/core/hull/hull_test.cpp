@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ostraka::mask {
+namespace ostraka::hull {
 namespace {
 
 // Twelve cameras around a ball of 10 mm at z = 12, looking down by 35 degrees.
@@ -148,4 +148,4 @@ TEST(KeepTouching, TakesPartsOfASilhouetteThatNowhereShowBeforeTheFloor) {
 }
 
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::hull

@@ -3,66 +3,67 @@
 #include "files/files.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
-class ComputedAgain : public SmallProject {
+class ComputedAgain : public catalogue::SmallProject {
  protected:
   ComputedAgain() : batch(newBatch({bag4})), output(project_->resultsFolder("B0001")) {}
-  void is(BatchState state) { ASSERT_TRUE(catalogue().setBatchState(batch, state, {})); }
-  BatchState state() { return catalogue().batch(batch)->state; }
+  void is(records::BatchState state) { ASSERT_TRUE(catalogue().setBatchState(batch, state, {})); }
+  records::BatchState state() { return catalogue().batch(batch)->state; }
   Result<void> ask() { return queueAgain(catalogue(), "B0001", anna); }
-  bool askedMeanwhile() { return valueIn(queueIfAsked(catalogue(), "B0001", {})); }
-  bool takeOut() { return valueIn(takeOutOfQueue(catalogue(), "B0001", output, anna)); }
+  bool askedMeanwhile() { return catalogue::valueIn(queueIfAsked(catalogue(), "B0001", {})); }
+  bool takeOut() { return catalogue::valueIn(takeOutOfQueue(catalogue(), "B0001", output, anna)); }
 
-  BatchRow batch;
+  store::BatchRow batch;
   std::filesystem::path output;
 };
 
 TEST_F(ComputedAgain, ABatchIsQueuedUnlessItIsBeingPhotographed) {
-  is(BatchState::Flipped);
+  is(records::BatchState::Flipped);
   EXPECT_FALSE(ask()) << "its back is being photographed again";
-  is(BatchState::Review);
+  is(records::BatchState::Review);
   ASSERT_TRUE(ask());
-  EXPECT_EQ(state(), BatchState::Queued);
+  EXPECT_EQ(state(), records::BatchState::Queued);
   EXPECT_EQ(catalogue().history("batch", batch.value)->front().by, anna.person);
 }
 
 TEST_F(ComputedAgain, WhatIsAskedWhileItIsComputedIsDoneWhenThatEnds) {
-  is(BatchState::Review);
+  is(records::BatchState::Review);
   ASSERT_TRUE(ask());
   ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
   ASSERT_TRUE(ask());
-  is(BatchState::Computed);
-  is(BatchState::Review);  // its results are entered
+  is(records::BatchState::Computed);
+  is(records::BatchState::Review);  // its results are entered
   EXPECT_TRUE(askedMeanwhile());
-  EXPECT_EQ(state(), BatchState::Queued);
+  EXPECT_EQ(state(), records::BatchState::Queued);
   ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
-  is(BatchState::Done);
+  is(records::BatchState::Done);
   EXPECT_FALSE(askedMeanwhile()) << "once";
-  EXPECT_EQ(state(), BatchState::Done);
+  EXPECT_EQ(state(), records::BatchState::Done);
 }
 
 TEST_F(ComputedAgain, WhatIsAskedTwiceBeforeItBeginsIsDoneOnce) {
-  is(BatchState::Queued);
+  is(records::BatchState::Queued);
   ASSERT_TRUE(ask());
   ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
-  is(BatchState::Done);
+  is(records::BatchState::Done);
   EXPECT_FALSE(askedMeanwhile());
 }
 
 TEST_F(ComputedAgain, WhatIsPhotographedAgainMeanwhileIsNotQueued) {
-  is(BatchState::Queued);
+  is(records::BatchState::Queued);
   ASSERT_TRUE(beginComputing(catalogue(), "B0001"));
   ASSERT_TRUE(ask());
-  is(BatchState::Flipped);
+  is(records::BatchState::Flipped);
   EXPECT_FALSE(askedMeanwhile());
-  EXPECT_EQ(state(), BatchState::Flipped);
+  EXPECT_EQ(state(), records::BatchState::Flipped);
 }
 
 TEST_F(ComputedAgain, TakenOutOfTheQueueABatchIsWhatItWas) {
   ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
-  for (const BatchState before : {BatchState::Review, BatchState::Done}) {
+  for (const records::BatchState before :
+       {records::BatchState::Review, records::BatchState::Done}) {
     is(before);
     EXPECT_FALSE(takeOut()) << "it does not wait";
     ASSERT_TRUE(ask());
@@ -72,17 +73,18 @@ TEST_F(ComputedAgain, TakenOutOfTheQueueABatchIsWhatItWas) {
 }
 
 TEST_F(ComputedAgain, WhatIsNotAsItWasIsNotTakenOutSo) {
-  is(BatchState::Review);
+  is(records::BatchState::Review);
   ASSERT_TRUE(ask());
   EXPECT_FALSE(takeOut()) << "its results are not whole: a computation of it was stopped";
   ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
-  for (const BatchState before : {BatchState::Back, BatchState::Failed}) {
+  for (const records::BatchState before :
+       {records::BatchState::Back, records::BatchState::Failed}) {
     is(before);
-    is(BatchState::Queued);
+    is(records::BatchState::Queued);
     EXPECT_FALSE(takeOut()) << "those results are of other photographs, or were never entered";
-    EXPECT_EQ(state(), BatchState::Queued);
+    EXPECT_EQ(state(), records::BatchState::Queued);
   }
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -6,12 +6,12 @@
 #include "tests/core/catalogue/result_folder.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Entering : public SmallProject {
+class Entering : public catalogue::SmallProject {
  protected:
   Entering() : batch(newBatch({bag4})), out(project_->resultsFolder("B0001"), 3) {}
   EnteredResults enter() {
@@ -20,20 +20,22 @@ class Entering : public SmallProject {
     EXPECT_TRUE(entered) << (entered ? "" : entered.error().sentence());
     return entered ? *entered : EnteredResults{};
   }
-  std::vector<SherdRecord> sherds() { return *catalogue().sherds(*catalogue().sherdRows(batch)); }
+  std::vector<records::SherdRecord> sherds() {
+    return *catalogue().sherds(*catalogue().sherdRows(batch));
+  }
   int count(const std::string& table) {
     int rows = 0;
-    Statement all = catalogue().database().sql("SELECT count(*) FROM " + table);
+    store::Statement all = catalogue().database().sql("SELECT count(*) FROM " + table);
     if (all.next()) all >> rows;
     return rows;
   }
-  ScanRow scanNamed(const std::string& name) {
-    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+  store::ScanRow scanNamed(const std::string& name) {
+    for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch)))
       if (scan.name == name) return scan.row;
     return {};
   }
-  BatchRow batch;
-  ResultFolder out;
+  store::BatchRow batch;
+  catalogue::ResultFolder out;
   QuietProgress quiet;
 };
 
@@ -63,7 +65,7 @@ TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
   EXPECT_EQ(entered.models, 3);
   EXPECT_EQ(entered.open, 1) << "front 2 alone; back 2 is a part of back 1";
   ASSERT_TRUE(scanNamed("f004"));
-  for (const ScanRecord& scan : valueIn(catalogue().scans(batch))) {
+  for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch))) {
     const char* folder = scan.isThere() ? "work/pieces_" : "work/scans_back/";
     EXPECT_THAT(scan.path, testing::HasSubstr(folder));
   }
@@ -78,9 +80,9 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(entered.measurements, 24);  // 7 measures and the filled share, of 3 sherds
   EXPECT_EQ(entered.files, 18);         // 6 scans, 3 files of 3 sherds, 3 reports
   EXPECT_EQ(entered.open, 0);
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
   EXPECT_EQ(catalogue().batch(batch)->reprojection_px, 0.31);
-  const SherdRecord sherd = sherds().front();
+  const records::SherdRecord sherd = sherds().front();
   EXPECT_EQ(sherd.context, context12);
   EXPECT_THAT(sherd.model_path, testing::MatchesRegex("models/B0001/[0-9a-f]{16}/model.ply"));
   EXPECT_EQ(fs::path(sherd.preview_path).parent_path(), fs::path(sherd.model_path).parent_path());
@@ -88,7 +90,7 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(sherd.measures.at("length"), 51);
   EXPECT_NEAR(sherd.measures.at("filled_pct"), 0.7, 1e-12);
   EXPECT_EQ(catalogue().files(sherd.row)->size(), 3u);
-  const ScanRecord scan = catalogue().scans(batch)->front();
+  const records::ScanRecord scan = catalogue().scans(batch)->front();
   EXPECT_EQ(scan.points, 3);
   EXPECT_EQ(scan.plate_x_mm, 40);
   EXPECT_EQ(scan.plate_y_mm, 0);
@@ -98,7 +100,7 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
 // While a batch is computed again its results are replaced one by one, and it may stop half-way.
 TEST_F(Entering, KeepsTheModelsThatWereEnteredUntilOthersAre) {
   enter();
-  const SherdRecord before = sherds().front();
+  const records::SherdRecord before = sherds().front();
   const fs::path model = project_->folder() / before.model_path;
   out.pairs() = {{2, 2, false}, {1, 1, false}, {3, 3, false}};  // sherds/01 is another one's now
   out.length_mm = 60;
@@ -106,7 +108,7 @@ TEST_F(Entering, KeepsTheModelsThatWereEnteredUntilOthersAre) {
   EXPECT_EQ(*readFile(model), "model of f001b001model.ply");
   EXPECT_EQ(catalogue().sherd(before.row)->model_path, before.model_path);
   enter();
-  const SherdRecord after = *catalogue().sherd(before.row);
+  const records::SherdRecord after = *catalogue().sherd(before.row);
   EXPECT_EQ(after.measures.at("length"), 61);
   EXPECT_EQ(*readFile(project_->folder() / after.model_path), "model of f001b001model.ply");
   EXPECT_EQ(after.model_path, before.model_path) << "the same bytes";
@@ -114,11 +116,11 @@ TEST_F(Entering, KeepsTheModelsThatWereEnteredUntilOthersAre) {
 
 TEST_F(Entering, DropsModelsThatNobodyShowsAtTheNextEntering) {
   enter();
-  const SherdRecord before = sherds().front();
+  const records::SherdRecord before = sherds().front();
   const fs::path folder = project_->resultsFolder("B0001") / "sherds/01";
   ASSERT_TRUE(writeFileAtomically(folder / "model.ply", "a better one"));
   enter();
-  const SherdRecord after = *catalogue().sherd(before.row);
+  const records::SherdRecord after = *catalogue().sherd(before.row);
   EXPECT_EQ(*readFile(project_->folder() / after.model_path), "a better one");
   EXPECT_TRUE(fs::exists(project_->folder() / before.model_path)) << "somebody may look at it";
   EXPECT_EQ(catalogue().files(before.row)->size(), 3u) << "but they are no sherd's";
@@ -127,7 +129,7 @@ TEST_F(Entering, DropsModelsThatNobodyShowsAtTheNextEntering) {
   EXPECT_EQ(catalogue().files(before.row)->size(), 3u);
   EXPECT_EQ(catalogue().files(batch)->size(), 18u);
   const auto files = catalogue().files(before.row);
-  for (const FileRecord& file : *files)
+  for (const records::FileRecord& file : *files)
     EXPECT_EQ(sha256(*readFile(project_->folder() / file.path)), file.sha256);
 }
 
@@ -168,19 +170,20 @@ TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   out.scale_doubts = {"The scale is wrong: 50.00 mm measure 49.51 mm."};
   out.write();
   enter();
-  const BatchRecord held = *catalogue().batch(batch);
-  EXPECT_EQ(held.state, BatchState::Review) << "no pair is open, but the scale wants a person";
+  const records::BatchRecord held = *catalogue().batch(batch);
+  EXPECT_EQ(held.state, records::BatchState::Review)
+      << "no pair is open, but the scale wants a person";
   EXPECT_EQ(held.scale_doubts, out.scale_doubts.front());
   EXPECT_EQ(held.scale_error_pct, -0.98) << "the length that is off most";
-  const SherdRow row = sherds().front().row;
+  const store::SherdRow row = sherds().front().row;
   ASSERT_TRUE(catalogue().measure({row, "length", {}, 52.1, {}, "calliper", {}, {}}, anna));
-  const SherdRecord sherd = *catalogue().sherd(row);
+  const records::SherdRecord sherd = *catalogue().sherd(row);
   EXPECT_TRUE(sherd.doubtful.contains("width"));
   EXPECT_TRUE(sherd.doubtful.contains("volume"));
   EXPECT_FALSE(sherd.doubtful.contains("length")) << "a calliper knows nothing of the plate";
   EXPECT_FALSE(sherd.doubtful.contains("filled_pct")) << "a share has no scale";
-  EXPECT_EQ(textOf(sherd, "scale"), "doubtful");
-  const SherdRow elsewhere = numbered(context12);
+  EXPECT_EQ(records::textOf(sherd, "scale"), "doubtful");
+  const store::SherdRow elsewhere = numbered(context12);
   EXPECT_EQ(found("scale:doubtful").size(), 3u);
   EXPECT_EQ(found("-scale:doubtful").size(), 1u);
   EXPECT_EQ(found("scale:*").size(), 3u);
@@ -190,7 +193,7 @@ TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   out.scale_doubts.clear();
   out.write();
   enter();
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
   EXPECT_EQ(catalogue().batch(batch)->scale_error_pct, -0.05);
   EXPECT_TRUE(catalogue().sherd(row)->doubtful.empty());
   EXPECT_EQ(valueOf(row, "scale"), "");
@@ -200,20 +203,20 @@ TEST_F(Entering, ADraftIsHeldAndItsMeasuresAreMarkedUntilItIsComputedAgain) {
   out.draft = true;
   out.write();
   enter();
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review) << "no pair is open";
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review) << "no pair is open";
   EXPECT_NE(catalogue().batch(batch)->scale_doubts.find("draft"), std::string::npos);
-  const SherdRow row = sherds().front().row;
+  const store::SherdRow row = sherds().front().row;
   EXPECT_TRUE(catalogue().sherd(row)->doubtful.contains("width"));
   out.draft = false;
   out.write();
   enter();
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
   EXPECT_TRUE(catalogue().sherd(row)->doubtful.empty());
 }
 
 TEST_F(Entering, KeepsWhatAPersonDecided) {
   enter();
-  PairDecision swap;
+  records::PairDecision swap;
   swap.batch = batch;
   for (const auto& [front, back] : {std::pair{"f001", "b002"}, std::pair{"f002", "b001"}}) {
     swap.front = scanNamed(front);
@@ -223,7 +226,7 @@ TEST_F(Entering, KeepsWhatAPersonDecided) {
   const EnteredResults entered = enter();
   EXPECT_EQ(entered.kept_decisions, 2);
   EXPECT_EQ(entered.models, 1) << "the models of the other two are of pairs that do not count";
-  std::vector<SherdRecord> all = sherds();
+  std::vector<records::SherdRecord> all = sherds();
   EXPECT_EQ(all[0].back, scanNamed("b002"));
   EXPECT_TRUE(all[0].measures.empty());
   EXPECT_EQ(all[0].model_path, "");
@@ -240,25 +243,25 @@ TEST_F(Entering, KeepsWhatAPersonDecided) {
 TEST_F(Entering, ModelsComeBackWithThePairThatTheyAreOf) {
   enter();
   const auto lost = [this] { return enterLostModels(project_->folder(), "B0001", quiet, {}); };
-  EXPECT_FALSE(valueIn(lost())) << "none is";
-  PairDecision wrong;
+  EXPECT_FALSE(catalogue::valueIn(lost())) << "none is";
+  records::PairDecision wrong;
   wrong.batch = batch;
   wrong.front = scanNamed("f001");
   wrong.back = scanNamed("b002");
-  const Result<DecisionRow> row = catalogue().decide(wrong, anna);
+  const Result<store::DecisionRow> row = catalogue().decide(wrong, anna);
   ASSERT_TRUE(row);
-  PairDecision back = wrong;
-  back.verdict = Verdict::Withdraw;
+  records::PairDecision back = wrong;
+  back.verdict = records::Verdict::Withdraw;
   back.replaces = *row;
   ASSERT_TRUE(catalogue().decide(back, anna));
   EXPECT_EQ(sherds()[0].back, scanNamed("b001"));
   EXPECT_EQ(sherds()[0].model_path, "");
-  EXPECT_TRUE(valueIn(lost()));
-  for (const SherdRecord& sherd : sherds()) {
+  EXPECT_TRUE(catalogue::valueIn(lost()));
+  for (const records::SherdRecord& sherd : sherds()) {
     EXPECT_NE(sherd.model_path, "") << sherd.front.value;
     EXPECT_FALSE(sherd.measures.empty());
   }
-  EXPECT_FALSE(valueIn(lost()));
+  EXPECT_FALSE(catalogue::valueIn(lost()));
 }
 
 TEST_F(Entering, FollowsTheProgramWhereNobodyDecided) {
@@ -268,7 +271,7 @@ TEST_F(Entering, FollowsTheProgramWhereNobodyDecided) {
   const EnteredResults entered = enter();
   EXPECT_EQ(entered.decisions, 2);
   EXPECT_EQ(entered.open, 2) << "front 3 and back 3 have no partner any more";
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
   EXPECT_EQ(sherds().size(), 2u);
 }
 
@@ -276,13 +279,13 @@ TEST_F(Entering, CountsADoubtfulPairAsOneQuestion) {
   out.pairs()[1].ambiguous = true;
   out.write();
   EXPECT_EQ(enter().open, 1);
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
   EXPECT_EQ(catalogue().currentDecisions(batch)->at(1).note, "two look alike");
 }
 
 TEST_F(Entering, KeepsTheNumbersAndTheWeighing) {
   enter();
-  const SherdRow sherd = sherds().front().row;
+  const store::SherdRow sherd = sherds().front().row;
   ASSERT_TRUE(catalogue().assignNumbers(std::span(&sherd, 1), anna));
   ASSERT_TRUE(set(sherd, "weight_g", "23.4"));
   ASSERT_TRUE(set(sherd, "length_mm", "52"));
@@ -299,17 +302,17 @@ TEST_F(Entering, KeepsTheNumbersAndTheWeighing) {
 // each keeps its own words, weight and number.
 TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
   enter();
-  const std::vector<SherdRecord> before = sherds();
-  const std::vector<FieldChange> said = {{before[0].row, "number", "A-1"},
-                                         {before[0].row, "note", "at 40 mm"},
-                                         {before[2].row, "number", "A-3"},
-                                         {before[2].row, "note", "at 120 mm"}};
+  const std::vector<records::SherdRecord> before = sherds();
+  const std::vector<records::FieldChange> said = {{before[0].row, "number", "A-1"},
+                                                  {before[0].row, "note", "at 40 mm"},
+                                                  {before[2].row, "number", "A-3"},
+                                                  {before[2].row, "note", "at 120 mm"}};
   ASSERT_TRUE(catalogue().change(said, anna));
-  PairDecision person;
+  records::PairDecision person;
   person.batch = batch;
   person.front = before[1].front;
   person.back = before[1].back;
-  person.verdict = Verdict::Accept;
+  person.verdict = records::Verdict::Accept;
   ASSERT_TRUE(catalogue().decide(person, anna));
 
   out.places_mm = {{0, -50}, {41, 1}, {79, 0}, {120, 2}};
@@ -317,9 +320,9 @@ TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
   out.write();
   enter();
   const auto noteAt = [&](double x) -> std::string {
-    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+    for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch)))
       if (scan.side == batch::Side::Front && std::abs(*scan.plate_x_mm - x) < 5)
-        for (const SherdRecord& sherd : sherds())
+        for (const records::SherdRecord& sherd : sherds())
           if (sherd.front == scan.row)
             return sherd.number + ", " + sherd.note + ", " + std::to_string(scan.index);
     return "nobody";
@@ -329,7 +332,7 @@ TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
   EXPECT_EQ(noteAt(120), "A-3, at 120 mm, 4");
   EXPECT_EQ(noteAt(0), ", , 1");
   EXPECT_EQ(sherds().size(), 4U);
-  for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch)))
+  for (const records::PairDecision& d : catalogue::valueIn(catalogue().currentDecisions(batch)))
     EXPECT_EQ(static_cast<bool>(d.by), d.front == before[1].front);
   const int history = count("history");
   enter();
@@ -342,7 +345,7 @@ TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
   enter();
   EXPECT_EQ(noteAt(120), "A-3, at 120 mm, 3");
   EXPECT_EQ(noteAt(40).substr(0, 14), "A-1, at 40 mm,");
-  EXPECT_EQ(sherds().front().back, ScanRow{});
+  EXPECT_EQ(sherds().front().back, store::ScanRow{});
   out.places_mm = {{0, -50}, {41, 1}, {79, 0}, {120, 2}};
   out.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}, {4, 4, false}};
   out.write();
@@ -362,21 +365,21 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
   };
   out.photographs = "first";
   apart();
-  const SherdRecord before = sherds().front();
+  const records::SherdRecord before = sherds().front();
   ASSERT_TRUE(set(before.row, "number", "A-1"));
-  pipeline::PairDecision pair;
+  decisions::PairDecision pair;
   pair.by = "AP";
   pair.scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
                 {batch::Side::Back, "b001", {40, 0}, "first"}};
-  ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), pair));
+  ASSERT_TRUE(decisions::appendDecision(project_->resultsFolder("B0001"), pair));
   EXPECT_EQ(enter().kept_decisions, 1);
-  pipeline::PairDecision join;
+  decisions::PairDecision join;
   join.by = "AP";
-  join.kind = pipeline::DecisionKind::Join;
+  join.kind = decisions::DecisionKind::Join;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     const std::string c = side == batch::Side::Front ? "f" : "b";
     join.scans = {{side, c + "001", {40, 0}, "first"}, {side, c + "002", {70, 0}, "first"}};
-    ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), join));
+    ASSERT_TRUE(decisions::appendDecision(project_->resultsFolder("B0001"), join));
   }
   out.places_mm[0] = {55, 0};
   out.gone = {2};
@@ -385,23 +388,23 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
   const EnteredResults entered = enter();
   EXPECT_EQ(entered.new_sherds, 0);
   EXPECT_EQ(entered.kept_decisions, 0) << "the person's word was about the fragments";
-  const SherdRecord joined = sherds().front();
+  const records::SherdRecord joined = sherds().front();
   EXPECT_EQ(joined.number, "A-1");
   EXPECT_EQ(joined.front, before.front);
   EXPECT_EQ(joined.back, before.back);
   EXPECT_FALSE(joined.model_path.empty());
   EXPECT_EQ(sherds().size(), 2U) << "that of the other fragment was a draft";
-  for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+  for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch)))
     if (scan.row == before.front) {
       EXPECT_EQ(scan.plate_x_mm, 55);
     }
 
   for (const int number : {2, 3}) {
-    pipeline::PairDecision back;
+    decisions::PairDecision back;
     back.by = "AP";
-    back.kind = pipeline::DecisionKind::Withdraw;
+    back.kind = decisions::DecisionKind::Withdraw;
     back.replaces = {number};
-    ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), back));
+    ASSERT_TRUE(decisions::appendDecision(project_->resultsFolder("B0001"), back));
   }
   apart();
   EXPECT_EQ(sherds().front().number, "A-1");
@@ -414,14 +417,14 @@ TEST_F(Entering, WhatWasDecidedWhileItWasComputedWantsAPerson) {
   out.photographs = "first";
   out.write();
   EXPECT_FALSE(enter().decided_meanwhile);
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
-  pipeline::PairDecision pair;
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
+  decisions::PairDecision pair;
   pair.by = "AP";
   pair.scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
                 {batch::Side::Back, "b002", {80, 0}, "first"}};
-  ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), pair));
+  ASSERT_TRUE(decisions::appendDecision(project_->resultsFolder("B0001"), pair));
   EXPECT_TRUE(enter().decided_meanwhile);
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
 }
 
 TEST_F(Entering, WithoutAScaleNoLengthIsKnown) {
@@ -459,24 +462,24 @@ TEST_F(Entering, CanBeStopped) {
 // Taken back, it is nobody's word: the model that was made of it is no sherd's.
 TEST_F(Entering, OfAPairThatAPersonDecidedKeepsNothingWhenItIsTakenBack) {
   enter();
-  PairDecision decided;
+  records::PairDecision decided;
   decided.batch = batch;
   decided.front = scanNamed("f001");
   decided.back = scanNamed("b002");
-  const DecisionRow row = valueIn(catalogue().decide(decided, anna));
+  const store::DecisionRow row = catalogue::valueIn(catalogue().decide(decided, anna));
   out.pairs() = {{1, 2, false, "AP"}, {3, 3, false}};
   out.write();
   enter();
   const auto sherd = [&] {
-    for (const SherdRecord& one : sherds())
+    for (const records::SherdRecord& one : sherds())
       if (one.front == scanNamed("f001")) return one;
-    return SherdRecord();
+    return records::SherdRecord();
   };
   EXPECT_EQ(sherd().back, scanNamed("b002"));
   EXPECT_FALSE(sherd().model_path.empty());
-  PairDecision back;
+  records::PairDecision back;
   back.batch = batch;
-  back.verdict = Verdict::Withdraw;
+  back.verdict = records::Verdict::Withdraw;
   back.replaces = row;
   ASSERT_TRUE(catalogue().decide(back, anna));
   EXPECT_NE(sherd().back, scanNamed("b002"));
@@ -487,4 +490,4 @@ TEST_F(Entering, OfAPairThatAPersonDecidedKeepsNothingWhenItIsTakenBack) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

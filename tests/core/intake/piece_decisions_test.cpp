@@ -3,10 +3,10 @@
 #include "store/migrations.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
-class PieceDecisions : public SmallProject {
+class PieceDecisions : public catalogue::SmallProject {
  protected:
   PieceDecisions() { batch = newBatch({bag4}); }
   PieceDecision join() {
@@ -17,7 +17,7 @@ class PieceDecisions : public SmallProject {
     d.note = "decision 1";
     return d;
   }
-  BatchRow batch;
+  store::BatchRow batch;
 };
 
 TEST_F(PieceDecisions, KeepWhoWhenWhereAndWhichPieces) {
@@ -28,7 +28,7 @@ TEST_F(PieceDecisions, KeepWhoWhenWhereAndWhichPieces) {
   cut.pieces.resize(1);
   cut.cut_mm = {Eigen::Vector2d(1.25, 2), Eigen::Vector2d(3, 4)};
   ASSERT_TRUE(decidePieces(catalogue(), cut, anna));
-  const std::vector<PieceDecision> all = valueIn(pieceDecisions(catalogue(), batch));
+  const std::vector<PieceDecision> all = catalogue::valueIn(pieceDecisions(catalogue(), batch));
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].by, anna.person);
   EXPECT_GT(all[0].at_ms, 1'790'000'000'000);
@@ -48,9 +48,10 @@ TEST_F(PieceDecisions, AreTakenBackByAnotherRowAndNeverRemoved) {
   back.verdict = PieceVerdict::Withdraw;
   back.replaces = row;
   ASSERT_TRUE(decidePieces(catalogue(), back, anna));
-  EXPECT_EQ(valueIn(pieceDecisions(catalogue(), batch)).size(), 2u);
-  EXPECT_THROW(catalogue().database().sql("DELETE FROM piece_decision").run(), SqlFailure);
-  EXPECT_THROW(catalogue().database().sql("UPDATE piece_decision SET note = ''").run(), SqlFailure);
+  EXPECT_EQ(catalogue::valueIn(pieceDecisions(catalogue(), batch)).size(), 2u);
+  EXPECT_THROW(catalogue().database().sql("DELETE FROM piece_decision").run(), store::SqlFailure);
+  EXPECT_THROW(catalogue().database().sql("UPDATE piece_decision SET note = ''").run(),
+               store::SqlFailure);
 }
 
 TEST_F(PieceDecisions, WithoutAPersonOrPiecesAreRefused) {
@@ -62,25 +63,25 @@ TEST_F(PieceDecisions, WithoutAPersonOrPiecesAreRefused) {
   stray.verdict = PieceVerdict::Withdraw;
   stray.replaces = {77};
   EXPECT_FALSE(decidePieces(catalogue(), stray, anna));
-  EXPECT_TRUE(valueIn(pieceDecisions(catalogue(), batch)).empty());
+  EXPECT_TRUE(catalogue::valueIn(pieceDecisions(catalogue(), batch)).empty());
 }
 
 TEST(PieceDecisionsOfAnOlderCatalogue, FindTheirTableAfterTheUpdateAndItsRowsAreKept) {
-  const TemporaryFolder folder;
+  const catalogue::TemporaryFolder folder;
   const auto database =
-      std::move(*Database::open(folder.path() / "c.sqlite", Database::Mode::Create));
-  ASSERT_TRUE(migrate(*database, migrations().first(1), {}));
+      std::move(*store::Database::open(folder.path() / "c.sqlite", store::Database::Mode::Create));
+  ASSERT_TRUE(store::migrate(*database, store::migrations().first(1), {}));
   database->script(
       "INSERT INTO person (id, created_at, updated_at, name, initials, initials_key) VALUES ('p', "
       "1, "
       "1, 'Anna', 'AP', 'ap')");
   int backups = 0;
-  ASSERT_TRUE(migrate(*database, migrations(), [&]() -> Result<void> {
+  ASSERT_TRUE(store::migrate(*database, store::migrations(), [&]() -> Result<void> {
     ++backups;
     return {};
   }));
   EXPECT_EQ(backups, 1);
-  Statement row =
+  store::Statement row =
       database->sql("SELECT (SELECT count(*) FROM person), (SELECT count(*) FROM piece_decision)");
   int persons = 0, decisions = -1;
   ASSERT_TRUE(row.next());
@@ -90,4 +91,4 @@ TEST(PieceDecisionsOfAnOlderCatalogue, FindTheirTableAfterTheUpdateAndItsRowsAre
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

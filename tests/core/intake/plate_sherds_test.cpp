@@ -3,21 +3,21 @@
 
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 using batch::Side;
 
-class PlateSherdsTest : public SmallProject {
+class PlateSherdsTest : public catalogue::SmallProject {
  protected:
   PlateSherdsTest() {
-    BatchRecord record;
+    records::BatchRecord record;
     record.number = "B0001";
     batch = *catalogue().addBatch(record, anna);
   }
 
   void lay(const char* name, double x_mm, int points, const char* number) {
-    ScanRecord scan;
+    records::ScanRecord scan;
     scan.batch = batch;
     scan.index = name[3] - '0';
     scan.name = name;
@@ -25,7 +25,7 @@ class PlateSherdsTest : public SmallProject {
     scan.points = points;
     scan.plate_x_mm = x_mm;
     scan.plate_y_mm = 0;
-    SherdRecord sherd;
+    records::SherdRecord sherd;
     sherd.batch = batch;
     sherd.front = *catalogue().save(scan, anna);
     sherd.context = context12;
@@ -34,13 +34,13 @@ class PlateSherdsTest : public SmallProject {
   }
 
   JoinedNumbers joined(double first_x_mm, double second_x_mm, Side side = Side::Front) {
-    pipeline::PairDecision join;
-    join.kind = pipeline::DecisionKind::Join;
+    decisions::PairDecision join;
+    join.kind = decisions::DecisionKind::Join;
     join.scans = {{side, "f001", {first_x_mm, 0}}, {side, "f002", {second_x_mm, 0}}};
     return PlateSherds(catalogue(), "B0001").afterJoin(join);
   }
 
-  BatchRow batch;
+  store::BatchRow batch;
 };
 
 TEST_F(PlateSherdsTest, ASherdIsFoundWhereItsFrontLies) {
@@ -85,4 +85,4 @@ TEST_F(PlateSherdsTest, ADraftAndBacksLeaveNoNumberBehind) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

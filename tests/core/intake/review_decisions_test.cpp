@@ -9,16 +9,16 @@
 #include "tests/core/catalogue/result_folder.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
-using pipeline::DecisionKind;
+using decisions::DecisionKind;
 
-class ReviewDecisions : public SmallProject {
+class ReviewDecisions : public catalogue::SmallProject {
  protected:
   ReviewDecisions() : batch(newBatch({bag4})) {
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-      ScanRecord scan;
+      records::ScanRecord scan;
       scan.batch = batch;
       scan.side = side;
       scan.index = 1;
@@ -27,18 +27,18 @@ class ReviewDecisions : public SmallProject {
       EXPECT_TRUE(catalogue().save(scan, {}));
     }
   }
-  static pipeline::PairDecision decision(DecisionKind kind, int number) {
-    pipeline::PairDecision d;
+  static decisions::PairDecision decision(DecisionKind kind, int number) {
+    decisions::PairDecision d;
     d.kind = kind;
     d.number = number;
     d.by = "AP";
     d.scans = {{batch::Side::Front, "f001", {0, 0}}, {batch::Side::Back, "b001", {0, 0}}};
     return d;
   }
-  Result<void> enter(const pipeline::PairDecision& d) {
+  Result<void> enter(const decisions::PairDecision& d) {
     return enterDecision(catalogue(), "B0001", d, project_->resultsFolder("B0001"));
   }
-  BatchRow batch;
+  store::BatchRow batch;
 };
 
 TEST_F(ReviewDecisions, APairCountsAndItsWithdrawalTakesItBack) {
@@ -46,8 +46,8 @@ TEST_F(ReviewDecisions, APairCountsAndItsWithdrawalTakesItBack) {
   const Result<void> entered = enter(decision(DecisionKind::Pair, 1));
   ASSERT_TRUE(entered) << entered.error().sentence();
   ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
-  EXPECT_EQ(catalogue().currentDecisions(batch)->front().verdict, Verdict::Accept);
-  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 2);
+  EXPECT_EQ(catalogue().currentDecisions(batch)->front().verdict, records::Verdict::Accept);
+  decisions::PairDecision back = decision(DecisionKind::Withdraw, 2);
   back.replaces = {1};
   ASSERT_TRUE(enter(back));
   EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
@@ -56,11 +56,11 @@ TEST_F(ReviewDecisions, APairCountsAndItsWithdrawalTakesItBack) {
 }
 
 TEST_F(ReviewDecisions, InitialsInOtherCapitalsAreTheSamePerson) {
-  pipeline::PairDecision typed = decision(DecisionKind::Aside, 2);
+  decisions::PairDecision typed = decision(DecisionKind::Aside, 2);
   typed.by = "ap";
   const Result<void> entered = enter(typed);
   ASSERT_TRUE(entered) << entered.error().sentence();
-  for (const PairDecision& row : valueIn(catalogue().decisions(batch)))
+  for (const records::PairDecision& row : catalogue::valueIn(catalogue().decisions(batch)))
     EXPECT_EQ(row.by, anna.person);
 }
 
@@ -70,10 +70,10 @@ TEST_F(ReviewDecisions, EachScanSetAsideHasARow) {
 }
 
 TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
-  pipeline::PairDecision join = decision(DecisionKind::Join, 2);
+  decisions::PairDecision join = decision(DecisionKind::Join, 2);
   join.scans[0] = {batch::Side::Back, "b002", {5, 6}};
   ASSERT_TRUE(enter(join));
-  pipeline::PairDecision back = join;
+  decisions::PairDecision back = join;
   back.kind = DecisionKind::Withdraw;
   back.number = 3;
   back.replaces = {2};
@@ -88,7 +88,7 @@ TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
 }
 
 TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
-  pipeline::PairDecision d = decision(DecisionKind::Pair, 1);
+  decisions::PairDecision d = decision(DecisionKind::Pair, 1);
   d.scans[1].id = "b009";
   const Result<void> refused = enter(d);
   ASSERT_FALSE(refused);
@@ -98,9 +98,9 @@ TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
 
 // The pieces were numbered anew between the decision and its entry.
 TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
-  std::vector<ScanRecord> scans = valueIn(catalogue().scans(batch));
-  ScanRecord other = scans.front();
-  for (ScanRecord& scan : scans) {
+  std::vector<records::ScanRecord> scans = catalogue::valueIn(catalogue().scans(batch));
+  records::ScanRecord other = scans.front();
+  for (records::ScanRecord& scan : scans) {
     scan.plate_x_mm = 40;
     scan.plate_y_mm = 0;
     ASSERT_TRUE(catalogue().save(scan, {}));
@@ -109,8 +109,8 @@ TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
   other.index = 2;
   other.name = "f002";
   other.plate_x_mm = other.plate_y_mm = 0;
-  const ScanRow meant = *catalogue().save(other, {});
-  pipeline::PairDecision d = decision(DecisionKind::Aside, 1);
+  const store::ScanRow meant = *catalogue().save(other, {});
+  decisions::PairDecision d = decision(DecisionKind::Aside, 1);
   d.scans = {{batch::Side::Front, "f001", {3, 1}}};
   ASSERT_TRUE(enter(d));
   EXPECT_EQ(catalogue().decisions(batch)->front().front, meant);
@@ -123,16 +123,16 @@ TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
 TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
   const std::filesystem::path output = project_->resultsFolder("B0001");
   std::filesystem::create_directories(output);
-  const auto append = [&](DecisionKind kind, std::vector<pipeline::ScanRef> scans) {
-    pipeline::PairDecision d;
+  const auto append = [&](DecisionKind kind, std::vector<decisions::ScanRef> scans) {
+    decisions::PairDecision d;
     d.kind = kind;
     d.by = "AP";
     d.scans = std::move(scans);
-    const auto written = pipeline::appendDecision(output, d);
+    const auto written = decisions::appendDecision(output, d);
     EXPECT_TRUE(written) << (written ? "" : written.error().sentence());
     return *written;
   };
-  const pipeline::ScanRef front{batch::Side::Front, "f001", {0, 0}},
+  const decisions::ScanRef front{batch::Side::Front, "f001", {0, 0}},
       back{batch::Side::Back, "b001", {0, 0}};
   ASSERT_TRUE(enter(append(DecisionKind::Aside, {front})));
   append(DecisionKind::Pair, {front, back});
@@ -140,8 +140,8 @@ TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "f007 is gone";
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
   ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
-  const PairDecision now = catalogue().currentDecisions(batch)->front();
-  EXPECT_EQ(now.verdict, Verdict::Accept);
+  const records::PairDecision now = catalogue().currentDecisions(batch)->front();
+  EXPECT_EQ(now.verdict, records::Verdict::Accept);
   EXPECT_EQ(now.by, anna.person);
 }
 
@@ -149,16 +149,16 @@ TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
 TEST_F(ReviewDecisions, ADecisionOfAnotherFileIsNotMistakenForOneOfTheSameNumber) {
   const std::filesystem::path output = project_->resultsFolder("B0001");
   std::filesystem::create_directories(output);
-  pipeline::PairDecision elsewhere = decision(DecisionKind::Pair, 1);
+  decisions::PairDecision elsewhere = decision(DecisionKind::Pair, 1);
   elsewhere.at = "2026-03-01T09:30:12Z";
   ASSERT_TRUE(enter(elsewhere));
-  pipeline::PairDecision here = decision(DecisionKind::Pair, 0);
-  here = *pipeline::appendDecision(output, here);
+  decisions::PairDecision here = decision(DecisionKind::Pair, 0);
+  here = *decisions::appendDecision(output, here);
   ASSERT_EQ(here.number, 1);
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "it is not there already";
-  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
+  decisions::PairDecision back = decision(DecisionKind::Withdraw, 0);
   back.replaces = {1};
-  ASSERT_TRUE(enter(*pipeline::appendDecision(output, back)));
+  ASSERT_TRUE(enter(*decisions::appendDecision(output, back)));
   ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u) << "the other's word stands";
   EXPECT_EQ(catalogue().currentDecisions(batch)->front().note,
             "decision 1 of 2026-03-01T09:30:12Z");
@@ -170,11 +170,11 @@ TEST_F(ReviewDecisions, RowsThatAnEarlierProgramMarkedByTheNumberAloneAreKnown) 
   now_ms = 4'102'444'800'000;  // 1 January 2100: they are entered after they were taken
   ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
   ASSERT_EQ(catalogue().decisions(batch)->front().note, "decision 1");
-  ASSERT_TRUE(pipeline::appendDecision(output, decision(DecisionKind::Pair, 0)));
+  ASSERT_TRUE(decisions::appendDecision(output, decision(DecisionKind::Pair, 0)));
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
-  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
+  decisions::PairDecision back = decision(DecisionKind::Withdraw, 0);
   back.replaces = {1};
-  const pipeline::PairDecision taken = *pipeline::appendDecision(output, back);
+  const decisions::PairDecision taken = *decisions::appendDecision(output, back);
   ASSERT_TRUE(enter(taken));
   EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
   // One that was entered before this file was begun is none of it.
@@ -191,8 +191,8 @@ class ResultsOfDecisions : public ReviewDecisions {
     std::filesystem::create_directories(output);
     for (int i = 1; i <= 2; ++i)
       for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-        ScanRecord record;
-        for (const ScanRecord& there : valueIn(catalogue().scans(batch)))
+        records::ScanRecord record;
+        for (const records::ScanRecord& there : catalogue::valueIn(catalogue().scans(batch)))
           if (there.side == side && there.index == i) record = there;
         record.batch = batch;
         record.side = side;
@@ -210,34 +210,34 @@ class ResultsOfDecisions : public ReviewDecisions {
   }
   // The chain's results: pieces of both sides at these places, in photographs of this name.
   void computed(const std::string& photographs, const std::vector<double>& at_mm) {
-    pipeline::CandidateTable table;
+    decisions::CandidateTable table;
     for (std::size_t i = 0; i < at_mm.size(); ++i) {
       const int n = static_cast<int>(i) + 1;
       table.fronts.push_back({batch::Side::Front, idOf(batch::Side::Front, n), {at_mm[i], 0}, {}});
       table.backs.push_back({batch::Side::Back, idOf(batch::Side::Back, n), {at_mm[i], 0}, {}});
       table.fronts.back().photographs = table.backs.back().photographs = photographs;
     }
-    ASSERT_TRUE(
-        writeFileAtomically(output / "work/pairs/candidates.json", pipeline::toJson(table).dump()));
+    ASSERT_TRUE(writeFileAtomically(output / "work/pairs/candidates.json",
+                                    decisions::toJson(table).dump()));
   }
-  pipeline::PairDecision taken(DecisionKind kind, std::vector<pipeline::ScanRef> scans,
-                               std::vector<int> replaces = {}) {
-    pipeline::PairDecision d;
+  decisions::PairDecision taken(DecisionKind kind, std::vector<decisions::ScanRef> scans,
+                                std::vector<int> replaces = {}) {
+    decisions::PairDecision d;
     d.kind = kind;
     d.by = "AP";
     d.scans = std::move(scans);
     d.replaces = std::move(replaces);
-    return valueIn(pipeline::appendDecision(output, d));
+    return catalogue::valueIn(decisions::appendDecision(output, d));
   }
-  static pipeline::ScanRef front(int i) {
+  static decisions::ScanRef front(int i) {
     return {batch::Side::Front, idOf(batch::Side::Front, i), {40.0 * i, 0}, "first"};
   }
-  static pipeline::ScanRef back(int i) {
+  static decisions::ScanRef back(int i) {
     return {batch::Side::Back, idOf(batch::Side::Back, i), {40.0 * i, 0}, "first"};
   }
   // The i-th front by its new number and place.
-  ScanRow moved(int i, int number, double x_mm) {
-    for (ScanRecord scan : valueIn(catalogue().scans(batch)))
+  store::ScanRow moved(int i, int number, double x_mm) {
+    for (records::ScanRecord scan : catalogue::valueIn(catalogue().scans(batch)))
       if (scan.row == rows[{batch::Side::Front, i}]) {
         scan.index = 10 + number;  // out of the way of the other
         scan.name = idOf(batch::Side::Front, number);
@@ -246,11 +246,11 @@ class ResultsOfDecisions : public ReviewDecisions {
       }
     return {};
   }
-  int follow() { return valueIn(followDecisions(catalogue(), "B0001", output)); }
+  int follow() { return catalogue::valueIn(followDecisions(catalogue(), "B0001", output)); }
   /// "f1-b2 f2": what counts, fronts first.
   std::string counting() {
     std::string text;
-    for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch))) {
+    for (const records::PairDecision& d : catalogue::valueIn(catalogue().currentDecisions(batch))) {
       text += text.empty() ? "" : " ";
       for (const auto& [key, row] : rows)
         if (key.first == batch::Side::Front && row == d.front)
@@ -262,7 +262,7 @@ class ResultsOfDecisions : public ReviewDecisions {
     return text;
   }
   std::filesystem::path output;
-  std::map<std::pair<batch::Side, int>, ScanRow> rows;
+  std::map<std::pair<batch::Side, int>, store::ScanRow> rows;
 };
 
 TEST_F(ResultsOfDecisions, AWithdrawalThatTheCatalogueMissedIsEntered) {
@@ -270,7 +270,7 @@ TEST_F(ResultsOfDecisions, AWithdrawalThatTheCatalogueMissedIsEntered) {
   taken(DecisionKind::Withdraw, {}, {1});
   EXPECT_EQ(follow(), 1);
   EXPECT_EQ(counting(), "");
-  const PairDecision end = valueIn(catalogue().decisions(batch)).back();
+  const records::PairDecision end = catalogue::valueIn(catalogue().decisions(batch)).back();
   EXPECT_EQ(end.by, anna.person);
   EXPECT_EQ(end.note.rfind("decision 2 of ", 0), 0U) << end.note;
   EXPECT_EQ(follow(), 0);
@@ -299,7 +299,7 @@ TEST_F(ResultsOfDecisions, WhatWasSaidOfAPieceThatIsGoneDoesNotCount) {
 
 // Taken back, photographed again, done again: at its places other sherds lie by now.
 TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPairsNobody) {
-  const pipeline::PairDecision pair = taken(DecisionKind::Pair, {front(1), back(2)});
+  const decisions::PairDecision pair = taken(DecisionKind::Pair, {front(1), back(2)});
   ASSERT_TRUE(enter(pair));
   ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {pair.number})));
   computed("second", {40, 80});
@@ -308,9 +308,9 @@ TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPair
   EXPECT_NE(again.error().what.find("reshot"), std::string::npos);
   EXPECT_EQ(counting(), "");
   EXPECT_EQ(follow(), 0) << "the chain says the same";
-  pipeline::ScanRef now = back(2);
+  decisions::ScanRef now = back(2);
   now.photographs = "second";
-  pipeline::ScanRef with = front(1);
+  decisions::ScanRef with = front(1);
   with.photographs = "second";
   EXPECT_TRUE(enter(taken(DecisionKind::Pair, {with, now})));
   EXPECT_EQ(counting(), "f1-b2");
@@ -318,18 +318,21 @@ TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPair
 
 // The program ended between the file and the catalogue.
 TEST_F(ResultsOfDecisions, WhatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened) {
-  const auto caught = [this] { return valueIn(catchUp(project_->folder(), "B0001", output)); };
+  const auto caught = [this] {
+    return catalogue::valueIn(catchUp(project_->folder(), "B0001", output));
+  };
   taken(DecisionKind::Pair, {front(1), back(1)});
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, {}));
   EXPECT_EQ(caught(), 0) << "its results are not whole";
   ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Flipped, {}));
   EXPECT_EQ(caught(), 0) << "its back is being photographed again";
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, {}));
   EXPECT_EQ(caught(), 1);
   EXPECT_EQ(counting(), "f1-b1");
   EXPECT_EQ(caught(), 0);
-  EXPECT_EQ(valueIn(catchUp(project_->folder(), "B0077", output)), 0) << "not in the catalogue";
+  EXPECT_EQ(catalogue::valueIn(catchUp(project_->folder(), "B0077", output)), 0)
+      << "not in the catalogue";
 }
 
 TEST_F(ResultsOfDecisions, WhatALaterDecisionStandsAboveCountsAgainWhenThatIsTakenBack) {
@@ -348,7 +351,7 @@ TEST_F(ResultsOfDecisions, WhatALaterDecisionStandsAboveCountsAgainWhenThatIsTak
 }
 
 TEST_F(ResultsOfDecisions, WhatWasDecidedInTheCatalogueStays) {
-  PairDecision own;
+  records::PairDecision own;
   own.batch = batch;
   own.front = rows.at({batch::Side::Front, 1});
   own.back = rows.at({batch::Side::Back, 2});
@@ -360,7 +363,7 @@ TEST_F(ResultsOfDecisions, WhatWasDecidedInTheCatalogueStays) {
   taken(DecisionKind::Reshoot, {front(1)});
   taken(DecisionKind::Withdraw, {}, {1});
   now_ms = 4'102'444'800'000;  // 1 January 2100
-  const Provenance other{*catalogue().personByInitials("MH", anna), "import", {}};
+  const records::Provenance other{*catalogue().personByInitials("MH", anna), "import", {}};
   own.note = "decision 1";  // the same by an earlier program, of another person
   ASSERT_TRUE(catalogue().decide(own, other));
   computed("second", {300, 400});
@@ -379,27 +382,27 @@ TEST_F(ResultsOfDecisions, JoinsThatWereTakenBackAreTakenBack) {
 }
 
 TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
-  const pipeline::PairDecision join = taken(DecisionKind::Join, {front(1), front(2)});
-  SherdRecord whole;
+  const decisions::PairDecision join = taken(DecisionKind::Join, {front(1), front(2)});
+  records::SherdRecord whole;
   whole.context = context12;
   whole.batch = batch;
   whole.front = rows[{batch::Side::Front, 1}];
   whole.back = rows[{batch::Side::Back, 1}];
-  const SherdRow sherd = valueIn(catalogue().addSherd(whole, anna));
+  const store::SherdRow sherd = catalogue::valueIn(catalogue().addSherd(whole, anna));
   ASSERT_TRUE(catalogue().setModel(sherd, "models/B0001/1/model.ply", ""));
-  const pipeline::PairDecision back = taken(DecisionKind::Withdraw, {}, {join.number});
+  const decisions::PairDecision back = taken(DecisionKind::Withdraw, {}, {join.number});
   ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
   EXPECT_FALSE(catalogue().sherd(sherd)->model_path.empty()) << "the join was never computed";
   ASSERT_TRUE(writeFileAtomically(
       output / "report.json",
       nlohmann::json({{"format", "ostraka-report/1"}, {"decisions", {join.number}}}).dump()));
   // One piece now, and called otherwise: a stranger that was found beside it has its name.
-  SherdRecord strange;
+  records::SherdRecord strange;
   strange.context = context12;
   strange.batch = batch;
   strange.front = moved(2, 1, -80);
   moved(1, 2, 60);
-  const SherdRow stranger = valueIn(catalogue().addSherd(strange, anna));
+  const store::SherdRow stranger = catalogue::valueIn(catalogue().addSherd(strange, anna));
   ASSERT_TRUE(catalogue().setModel(stranger, "models/B0001/2/model.ply", ""));
   ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
   EXPECT_TRUE(catalogue().sherd(sherd)->model_path.empty());
@@ -407,17 +410,17 @@ TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
 }
 
 TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, {}));
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "", false)) << "nobody said a name";
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
-  BatchRecord doubtful = *catalogue().batch(batch);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
+  records::BatchRecord doubtful = *catalogue().batch(batch);
   doubtful.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
   ASSERT_TRUE(catalogue().saveBatch(doubtful, {}));
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 using batch::Side;
 
-ScanRecord piece(const char* name, double x_mm, Side side = Side::Front) {
-  ScanRecord scan;
+records::ScanRecord piece(const char* name, double x_mm, Side side = Side::Front) {
+  records::ScanRecord scan;
   scan.side = side;
   scan.name = name;
   scan.plate_x_mm = x_mm;
@@ -17,9 +17,9 @@ ScanRecord piece(const char* name, double x_mm, Side side = Side::Front) {
   return scan;
 }
 
-pipeline::PairDecision joinOf(const char* first, double x_mm, double other_x_mm) {
-  pipeline::PairDecision join;
-  join.kind = pipeline::DecisionKind::Join;
+decisions::PairDecision joinOf(const char* first, double x_mm, double other_x_mm) {
+  decisions::PairDecision join;
+  join.kind = decisions::DecisionKind::Join;
   join.scans = {{Side::Front, first, {x_mm, 0}}, {Side::Front, "f009", {other_x_mm, 0}}};
   return join;
 }
@@ -34,13 +34,13 @@ TEST(SamePieces, AreKnownByTheirPlacesTheNearestFirst) {
 }
 
 TEST(SamePieces, WithoutAPlaceAreKnownByTheirNames) {
-  ScanRecord nowhere = piece("f002", 0);
+  records::ScanRecord nowhere = piece("f002", 0);
   nowhere.plate_x_mm = nowhere.plate_y_mm = std::nullopt;
   EXPECT_EQ(samePieces({nowhere}, {piece("f001", 0), piece("f002", 50)}, {}), std::vector<int>{1});
 }
 
 TEST(SamePieces, OneThatWasJoinedIsKnownByThePlacesOfItsParts) {
-  const pipeline::Decisions join = {joinOf("f001", 1, 31)};
+  const decisions::Decisions join = {joinOf("f001", 1, 31)};
   EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30)}, {piece("f001", 15)}, join),
             (std::vector<int>{0, -1}));
   // Taken back: the whole piece is known, and its first part is found where it lay.
@@ -55,7 +55,7 @@ TEST(SamePieces, OneThatWasJoinedIsKnownByThePlacesOfItsParts) {
 
 // A mask that was mended in the same computation: a new piece comes first and has the old name.
 TEST(SamePieces, AJoinedOneIsNoStrangerOfTheSameName) {
-  const pipeline::Decisions join = {joinOf("f001", 0, 30)};
+  const decisions::Decisions join = {joinOf("f001", 0, 30)};
   EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30)},
                        {piece("f001", -80), piece("f002", 15)}, join),
             (std::vector<int>{1, -1}));
@@ -68,7 +68,7 @@ TEST(SamePieces, AJoinedOneIsNoStrangerOfTheSameName) {
 }
 
 TEST(SamePieces, OneThatWasJoinedTwiceLiesBetweenAllThree) {
-  const pipeline::Decisions joins = {joinOf("f001", 0, 30), joinOf("f001", 0, 90)};
+  const decisions::Decisions joins = {joinOf("f001", 0, 30), joinOf("f001", 0, 90)};
   EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30), piece("f003", 90)},
                        {piece("f001", 45)}, joins),
             (std::vector<int>{0, -1, -1}));
@@ -76,24 +76,24 @@ TEST(SamePieces, OneThatWasJoinedTwiceLiesBetweenAllThree) {
 
 class CutPieces : public testing::Test {
  protected:
-  static ScanRecord piece(const char* name, double x_mm, int points, int row = 0) {
-    ScanRecord scan = catalogue::piece(name, x_mm);
+  static records::ScanRecord piece(const char* name, double x_mm, int points, int row = 0) {
+    records::ScanRecord scan = catalogue::piece(name, x_mm);
     scan.points = points;
-    scan.row = ScanRow{row};
+    scan.row = store::ScanRow{row};
     return scan;
   }
   CutPieces() {
-    pipeline::PairDecision cut;
-    cut.kind = pipeline::DecisionKind::Split;
+    decisions::PairDecision cut;
+    cut.kind = decisions::DecisionKind::Split;
     cut.scans = {{Side::Front, "f001", {40, 0}}};
     cut.cut_mm = {Eigen::Vector2d(50, -20), Eigen::Vector2d(50, 20)};  // the left is below 50
     edits = {cut};
   }
-  pipeline::Decisions edits;
+  decisions::Decisions edits;
   // Of 3000 points at 30 and 1000 at 70.
-  const std::vector<ScanRecord> whole = {piece("f001", 40, 4000, 1)};
-  const std::vector<ScanRecord> halves = {piece("f001", 12, 500, 3), piece("f002", 30, 3000, 1),
-                                          piece("f003", 70, 1000, 2)};
+  const std::vector<records::ScanRecord> whole = {piece("f001", 40, 4000, 1)};
+  const std::vector<records::ScanRecord> halves = {
+      piece("f001", 12, 500, 3), piece("f002", 30, 3000, 1), piece("f003", 70, 1000, 2)};
 };
 
 TEST_F(CutPieces, GoOnAsTheLargerHalfWhateverTheyAreCalled) {
@@ -101,16 +101,16 @@ TEST_F(CutPieces, GoOnAsTheLargerHalfWhateverTheyAreCalled) {
 }
 
 TEST_F(CutPieces, GoOnWhereTheNumberWasTyped) {
-  EXPECT_EQ(samePieces(whole, halves, edits, {{ScanRow{1}, Eigen::Vector2d(68, 3)}}),
+  EXPECT_EQ(samePieces(whole, halves, edits, {{store::ScanRow{1}, Eigen::Vector2d(68, 3)}}),
             std::vector<int>{2});
-  EXPECT_EQ(samePieces(whole, halves, edits, {{ScanRow{7}, Eigen::Vector2d(68, 3)}}),
+  EXPECT_EQ(samePieces(whole, halves, edits, {{store::ScanRow{7}, Eigen::Vector2d(68, 3)}}),
             std::vector<int>{1})
       << "that number is another's";
 }
 
 TEST_F(CutPieces, AreAgainWhatTheyWereWhenTheCutIsTakenBack) {
   EXPECT_EQ(samePieces(halves, whole, edits), (std::vector<int>{-1, 0, -1}));
-  std::vector<ScanRecord> other_half = halves;
+  std::vector<records::ScanRecord> other_half = halves;
   std::swap(other_half[1].row, other_half[2].row);
   EXPECT_EQ(samePieces(other_half, whole, edits), (std::vector<int>{-1, -1, 0}))
       << "the half that was known first";
@@ -118,23 +118,25 @@ TEST_F(CutPieces, AreAgainWhatTheyWereWhenTheCutIsTakenBack) {
 
 // A cut that was taken back, and a chip that lay beside the piece and is masked out now.
 TEST_F(CutPieces, AreNoNeighboursThatCameOrWent) {
-  const std::vector<ScanRecord> beside = {piece("f001", 40, 4000, 2), piece("f002", 80, 150, 1)};
+  const std::vector<records::ScanRecord> beside = {piece("f001", 40, 4000, 2),
+                                                   piece("f002", 80, 150, 1)};
   EXPECT_EQ(samePieces(beside, whole, edits), (std::vector<int>{0, -1}));
-  EXPECT_EQ(samePieces(whole, beside, edits, {{ScanRow{1}, Eigen::Vector2d(79, 0)}}),
+  EXPECT_EQ(samePieces(whole, beside, edits, {{store::ScanRow{1}, Eigen::Vector2d(79, 0)}}),
             std::vector<int>{0});
 }
 
 // Two others balance around the place of the cut.
 TEST_F(CutPieces, AreNoNeighboursWhoseMeanLiesThereByChance) {
-  const std::vector<ScanRecord> others = {piece("f008", -20, 4000, 8), piece("f009", 100, 4000, 9)};
-  const auto with = [&](std::vector<ScanRecord> pieces) {
+  const std::vector<records::ScanRecord> others = {piece("f008", -20, 4000, 8),
+                                                   piece("f009", 100, 4000, 9)};
+  const auto with = [&](std::vector<records::ScanRecord> pieces) {
     pieces.insert(pieces.end(), others.begin(), others.end());
     return pieces;
   };
   EXPECT_EQ(samePieces(with(whole), with(halves), edits), (std::vector<int>{1, 3, 4}));
   EXPECT_EQ(samePieces(with(halves), with(whole), edits), (std::vector<int>{-1, 0, -1, 1, 2}));
   // Taken back before it was computed; one of the others is new.
-  std::vector<ScanRecord> small = others;
+  std::vector<records::ScanRecord> small = others;
   small[0].points = small[1].points = 2000;
   EXPECT_EQ(samePieces({whole[0], small[1]}, {whole[0], small[0], small[1]}, edits),
             (std::vector<int>{0, 2}));
@@ -146,4 +148,4 @@ TEST_F(CutPieces, AreKnownByTheirPlacesOnceTheyAreTwo) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

@@ -4,22 +4,24 @@
 
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::intake {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class Moves : public SmallProject {
+class Moves : public catalogue::SmallProject {
  protected:
   Moves() {
     first = draft(context12, bag4);
     second = draft(context12, bag5);
     EXPECT_TRUE(catalogue().assignNumbers(std::vector{first, second}, anna));
   }
-  Move move(const std::vector<FieldChange>& wanted) { return valueIn(moveOf(catalogue(), wanted)); }
+  Move move(const std::vector<records::FieldChange>& wanted) {
+    return catalogue::valueIn(moveOf(catalogue(), wanted));
+  }
 
-  SherdRow first, second;
+  store::SherdRow first, second;
 };
 
 TEST_F(Moves, LeaveTheBagsOfTheOldContextAndUndoBringsThemBack) {
@@ -27,7 +29,7 @@ TEST_F(Moves, LeaveTheBagsOfTheOldContextAndUndoBringsThemBack) {
   EXPECT_EQ(both.without_bag, 2);
   EXPECT_THAT(both.bags, ElementsAre("4", "5"));
   EXPECT_THAT(both.numbers, ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0012-0002"));
-  const Result<std::vector<FieldChange>> undo = catalogue().change(both.changes, anna);
+  const Result<std::vector<records::FieldChange>> undo = catalogue().change(both.changes, anna);
   ASSERT_TRUE(undo) << undo.error().sentence();
   EXPECT_EQ(valueOf(first, "context"), "0013");
   EXPECT_EQ(valueOf(first, "bag"), "");
@@ -44,7 +46,7 @@ TEST_F(Moves, IntoABagOfTheNewContextEmptyNone) {
   EXPECT_EQ(named.without_bag, 0);
   EXPECT_THAT(named.numbers, ElementsAre("ARM1-T3-0012-0001"));
   // Another bag than the one that it lies in, though of its number.
-  const SherdRow third = draft(context12, bag(context12, "1"));
+  const store::SherdRow third = draft(context12, bag(context12, "1"));
   EXPECT_EQ(move({{third, "context", "0013"}}).without_bag, 1);
 }
 
@@ -59,12 +61,12 @@ TEST_F(Moves, ThatAreNoneOrAreRefusedLeaveNothing) {
 }
 
 TEST_F(Moves, TellNoNumbersWhereTheSchemeNamesNoContext) {
-  ProjectRecord project = *catalogue().project();
+  records::ProjectRecord project = *catalogue().project();
   project.numbering = "{site}-{n}";
   ASSERT_TRUE(catalogue().setProject(project, anna));
-  const SherdRow third = numbered(context12);
+  const store::SherdRow third = numbered(context12);
   EXPECT_THAT(move({{third, "context", "0013"}}).numbers, IsEmpty());
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::intake

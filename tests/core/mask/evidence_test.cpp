@@ -37,7 +37,7 @@ cv::Mat3f photographed(const cv::Mat1f& levels, int seed) {
   cv::Mat1b grey;
   seen.convertTo(grey, CV_8U);
   cv::cvtColor(grey, bytes, cv::COLOR_GRAY2BGR);
-  return smoothed(logColours(bytes));
+  return smoothed(ground::logColours(bytes));
 }
 
 // Mean log odds of the middle.

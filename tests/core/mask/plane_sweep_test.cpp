@@ -58,10 +58,10 @@ struct Swept {
 
   // As photograph i sees the plane's point.
   float at(std::size_t i, double x, double y) const {
-    PlateGrid millimetres;
+    ground::PlateGrid millimetres;
     millimetres.pitch_mm = 1;
     millimetres.size = 1;
-    const cv::Mat1f seen = sweep.seenFrom(i, best[i], gridOfPixels(images[i], millimetres));
+    const cv::Mat1f seen = sweep.seenFrom(i, best[i], ground::gridOfPixels(images[i], millimetres));
     const Eigen::Vector2d p = images[i].project({x, y, kHeight});
     return seen(static_cast<int>(std::lround(p.y())), static_cast<int>(std::lround(p.x())));
   }
@@ -95,10 +95,10 @@ TEST(PlaneSweep, NothingIsSaidOutsideOnePhotograph) {
     best.emplace_back(sweep.ground(best.size()), 0.F);
   }
   sweep.agreeOn(0, best);
-  PlateGrid millimetres;
+  ground::PlateGrid millimetres;
   millimetres.pitch_mm = 1;
   millimetres.size = 1;
-  const cv::Mat1f seen = sweep.seenFrom(0, best[0], gridOfPixels(whole, millimetres));
+  const cv::Mat1f seen = sweep.seenFrom(0, best[0], ground::gridOfPixels(whole, millimetres));
   const auto at = [&](double x) {
     const Eigen::Vector2d p = whole.project({x, 0, 0});
     return seen(static_cast<int>(p.y()), static_cast<int>(p.x()));

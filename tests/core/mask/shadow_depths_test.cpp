@@ -57,7 +57,7 @@ TEST(ShadowDepths, DeepShadowsLeaveNothingToSay) {
 
 TEST(ShadowDepths, WhatIsDarkerThanAnyClayIsNone) {
   const ShadowDepths depths = ShadedPlate(0.4F, 60).learnt();
-  EXPECT_LT(depths.darkest_clay, std::log(60 + kDarkLevel));
+  EXPECT_LT(depths.darkest_clay, std::log(60 + ground::kDarkLevel));
   EXPECT_GT(shadeOddsAt(depths, 2, 60), 2);
   EXPECT_FLOAT_EQ(shadeOddsAt(depths, 2, 20), 0);
 }

@@ -39,13 +39,13 @@ TEST(NoPlate, FindsMasksFromThePhotographsByHandThemselves) {
 }
 
 TEST(NoPlate, MakesAPixelAFifthOfAMillimetreWhateverColmapsUnit) {
-  rig::ColmapPoses poses;
+  colmap::ColmapPoses poses;
   poses.images.resize(1);
   poses.images[0].intrinsics = {1600, 1200, 2000, 2000, 800, 600, {}};
   // Depths 3, 4, 5 and one point behind the camera: the median pixel is 4 / 2000 units.
   poses.points = {{0, 0, 3}, {1, 0, 4}, {0, 1, 5}, {0, 0, -7}};
   EXPECT_DOUBLE_EQ(nominalScale(poses), 0.2 / (4.0 / 2000));
-  const rig::ColmapPoses sized = rig::scaledTo(poses, nominalScale(poses));
+  const colmap::ColmapPoses sized = colmap::scaledTo(poses, nominalScale(poses));
   EXPECT_NEAR(nominalScale(sized), 1, 1e-12);
   poses.points.clear();
   EXPECT_EQ(nominalScale(poses), 1);

@@ -216,16 +216,17 @@ TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
   QuietProgress quiet;
   copyOfWhole("decided");
   const auto before = results(folder_ / "decided");
-  const Result<CandidateTable> table =
-      readCandidates(folder_ / "decided" / "work" / "pairs" / "candidates.json");
+  const Result<decisions::CandidateTable> table =
+      decisions::readCandidates(folder_ / "decided" / "work" / "pairs" / "candidates.json");
   ASSERT_TRUE(table.has_value()) << table.error().sentence();
-  PairDecision swapped;
-  swapped.kind = DecisionKind::Pair;
+  decisions::PairDecision swapped;
+  swapped.kind = decisions::DecisionKind::Pair;
   swapped.by = "AP";
   const Result<nlohmann::json> pairs = readJson(folder_ / "decided" / "pairs.json");
   const bool straight = pairs->at("pairs").at(0).at("back") == table->backs[0].id;
   swapped.scans = {table->fronts[0], table->backs[straight ? 1 : 0]};
-  const Result<PairDecision> written = appendDecision(folder_ / "decided", swapped);
+  const Result<decisions::PairDecision> written =
+      decisions::appendDecision(folder_ / "decided", swapped);
   ASSERT_TRUE(written.has_value()) << written.error().sentence();
 
   const Result<ProcessSummary> summary = process(folder_ / "decided", 1, quiet);
@@ -239,11 +240,11 @@ TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
   const Result<std::string> log = readFile(folder_ / "decided" / "log.txt");
   EXPECT_NE(log->find("pairs: reused from an earlier run"), std::string::npos);
 
-  PairDecision undo;
-  undo.kind = DecisionKind::Withdraw;
+  decisions::PairDecision undo;
+  undo.kind = decisions::DecisionKind::Withdraw;
   undo.by = "AP";
   undo.replaces = {written->number};
-  ASSERT_TRUE(appendDecision(folder_ / "decided", undo).has_value());
+  ASSERT_TRUE(decisions::appendDecision(folder_ / "decided", undo).has_value());
   ASSERT_TRUE(process(folder_ / "decided", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "decided"), before) << "withdrawn, all is as it was";
 }
@@ -253,35 +254,36 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   copyOfWhole("painted");
   const fs::path out = folder_ / "painted";
   const auto before = results(out);
-  const auto table = readCandidates(out / "work" / "pairs" / "candidates.json");
+  const auto table = decisions::readCandidates(out / "work" / "pairs" / "candidates.json");
   ASSERT_TRUE(table.has_value()) << table.error().sentence();
-  const ScanRef& first = table->fronts.at(0);
+  const decisions::ScanRef& first = table->fronts.at(0);
   const auto images = rig::readCameras(out / "work" / "rig" / "cameras.json");
   ASSERT_TRUE(images.has_value()) << images.error().sentence();
-  std::vector<MaskStroke> strokes;  // the middle of the first sherd is said to be plate
+  std::vector<decisions::MaskStroke> strokes;  // the middle of the first sherd is said to be plate
   for (const rig::PosedImage& image : *images) {
     if (image.side != batch::Side::Front) continue;
-    MaskStroke stroke;
+    decisions::MaskStroke stroke;
     stroke.camera = image.camera;
     stroke.stop = image.stop;
-    stroke.paint = MaskPaint::Plate;
+    stroke.paint = decisions::MaskPaint::Plate;
     stroke.radius_px = 14;
     stroke.path_px = {image.project({first.place_mm.x(), first.place_mm.y(), 5.0})};
     strokes.push_back(stroke);
   }
-  ASSERT_TRUE(writeMaskStrokes(out, strokes).has_value());
-  EXPECT_EQ(maskFolder(out, batch::Side::Front), "masks_front") << "nothing is edited yet";
-  EXPECT_TRUE(masksWantComputing(out));
-  EXPECT_TRUE(wantsComputing(out));
+  ASSERT_TRUE(decisions::writeMaskStrokes(out, strokes).has_value());
+  EXPECT_EQ(decisions::maskFolder(out, batch::Side::Front), "masks_front")
+      << "nothing is edited yet";
+  EXPECT_TRUE(decisions::masksWantComputing(out));
+  EXPECT_TRUE(review::wantsComputing(out));
   const auto points = [&](const std::string& number) {
     const auto scan = readPlyCloud(out / "sherds" / number / "front.ply");
     return scan ? static_cast<double>(scan->size()) : 0.0;
   };
   const double first_before = points("01"), second_before = points("02");
   ASSERT_TRUE(process(out, 1, quiet).has_value());
-  EXPECT_FALSE(masksWantComputing(out));
-  EXPECT_EQ(maskFolder(out, batch::Side::Front), "edited_front");
-  EXPECT_EQ(maskFolder(out, batch::Side::Back), "masks_back");
+  EXPECT_FALSE(decisions::masksWantComputing(out));
+  EXPECT_EQ(decisions::maskFolder(out, batch::Side::Front), "edited_front");
+  EXPECT_EQ(decisions::maskFolder(out, batch::Side::Back), "masks_back");
   const std::string log = *readFile(out / "log.txt");
   const std::string last = log.substr(log.rfind("rig: reused from an earlier run"));
   for (const char* kept : {"masks_front", "masks_back", "dense_back", "scans_back"})
@@ -291,16 +293,16 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   // 14 pixels around its middle are gone from the first sherd; the second loses nothing.
   EXPECT_LT(points("01"), 0.95 * first_before);
   EXPECT_GT(points("02"), 0.98 * second_before);
-  const auto masked = maskedPhotographs(out);
+  const auto masked = decisions::maskedPhotographs(out);
   ASSERT_TRUE(masked.has_value() && fs::exists(masked->front().photograph));
   EXPECT_EQ(masked->size(), images->size());
 
-  for (MaskStroke& stroke : strokes) stroke.photograph = "of the one before";
-  ASSERT_TRUE(writeMaskStrokes(out, strokes).has_value());
+  for (decisions::MaskStroke& stroke : strokes) stroke.photograph = "of the one before";
+  ASSERT_TRUE(decisions::writeMaskStrokes(out, strokes).has_value());
   ASSERT_TRUE(process(out, 1, quiet).has_value());
   EXPECT_EQ(points("01"), first_before) << "other sherds may lie there now";
-  ASSERT_TRUE(writeMaskStrokes(out, {}).has_value());
-  EXPECT_TRUE(masksWantComputing(out)) << "what is taken back is to be computed, too";
+  ASSERT_TRUE(decisions::writeMaskStrokes(out, {}).has_value());
+  EXPECT_TRUE(decisions::masksWantComputing(out)) << "what is taken back is to be computed, too";
   ASSERT_TRUE(process(out, 1, quiet).has_value());
   EXPECT_EQ(results(out), before) << "taken back, all is as it was";
 }
@@ -324,16 +326,16 @@ TEST_F(ProcessBatch, GoesOnWhereABatchWasStoppedAndThenMoved) {
 TEST_F(ProcessBatch, SetAsideASherdIsNeitherMadeNorMissed) {
   QuietProgress quiet;
   copyOfWhole("aside");
-  const Result<CandidateTable> table =
-      readCandidates(folder_ / "aside" / "work" / "pairs" / "candidates.json");
+  const Result<decisions::CandidateTable> table =
+      decisions::readCandidates(folder_ / "aside" / "work" / "pairs" / "candidates.json");
   const Result<nlohmann::json> pairs = readJson(folder_ / "aside" / "pairs.json");
-  PairDecision aside;
-  aside.kind = DecisionKind::Aside;
+  decisions::PairDecision aside;
+  aside.kind = decisions::DecisionKind::Aside;
   aside.by = "AP";
   aside.scans = {table->fronts[0]};
-  for (const ScanRef& back : table->backs)
+  for (const decisions::ScanRef& back : table->backs)
     if (back.id == pairs->at("pairs").at(0).at("back")) aside.scans.push_back(back);
-  ASSERT_TRUE(appendDecision(folder_ / "aside", aside).has_value());
+  ASSERT_TRUE(decisions::appendDecision(folder_ / "aside", aside).has_value());
   const Result<ProcessSummary> summary = process(folder_ / "aside", 1, quiet);
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   ASSERT_EQ(summary->sherds.size(), 1u);

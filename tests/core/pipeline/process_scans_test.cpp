@@ -79,7 +79,7 @@ TEST_F(ProcessScans, LeavesModelsPairsAndWhatTheReviewOpens) {
   ASSERT_TRUE(report.has_value());
   EXPECT_EQ(report->at("sherds").size(), 3u);
   EXPECT_EQ(report->at("stages").at(0).at("figures").at("files").at("f001"), "f001.ply");
-  const auto live = LivePairs::open(folder / "out");
+  const auto live = review::LivePairs::open(folder / "out");
   ASSERT_TRUE(live.has_value()) << live.error().sentence();
   const auto picture = (*live)->picture(batch::Side::Front, 0, 0.2);
   ASSERT_TRUE(picture.has_value()) << picture.error().sentence();
@@ -212,13 +212,13 @@ TEST_F(ProcessScans, ScansThatStandOnNoPlateAreTurnedFaceUp) {
   const Result<ProcessSummary> summary = process("out");
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   ASSERT_EQ(summary->sherds.size(), 3u);
-  const auto laid = readScanFolder(folder / "out" / "work" / "scans_front", 1);
+  const auto laid = decisions::readScanFolder(folder / "out" / "work" / "scans_front", 1);
   ASSERT_TRUE(laid.has_value());
-  std::vector<ScanRef> places;
+  std::vector<decisions::ScanRef> places;
   for (const scan::Scan& scan : laid->scans) {
     EXPECT_GT(scan.up.z(), 0.95) << scan.id;
-    const ScanRef place = refOf(scan, batch::Side::Front);
-    EXPECT_EQ(resolved(place, places), -1) << "a decision would take it for another";
+    const decisions::ScanRef place = decisions::refOf(scan, batch::Side::Front);
+    EXPECT_EQ(decisions::resolved(place, places), -1) << "a decision would take it for another";
     places.push_back(place);
   }
 }
@@ -227,15 +227,16 @@ TEST_F(ProcessScans, ScansThatStandOnNoPlateAreTurnedFaceUp) {
 // waits, and the words about the other side do not change that.
 TEST_F(ProcessScans, ADecisionAboutASideThatWasTakenAgainIsNotApplied) {
   ASSERT_TRUE(process("out").has_value());
-  const auto table = readCandidates(folder / "out" / "work" / "pairs" / "candidates.json");
+  const auto table =
+      decisions::readCandidates(folder / "out" / "work" / "pairs" / "candidates.json");
   ASSERT_TRUE(table.has_value()) << table.error().sentence();
   ASSERT_EQ(table->fronts[0].photographs.size(), 64u) << "a SHA-256";
   EXPECT_NE(table->fronts[0].photographs, table->backs[0].photographs);
-  PairDecision swapped;
-  swapped.kind = DecisionKind::Pair;
+  decisions::PairDecision swapped;
+  swapped.kind = decisions::DecisionKind::Pair;
   swapped.by = "AP";
   swapped.scans = {table->fronts[0], table->backs[1]};
-  ASSERT_TRUE(appendDecision(folder / "out", swapped).has_value());
+  ASSERT_TRUE(decisions::appendDecision(folder / "out", swapped).has_value());
   const auto decided = process("out");
   ASSERT_TRUE(decided.has_value()) << decided.error().sentence();
   EXPECT_EQ(decided->sherds.at(0).back, table->backs[1].id);

@@ -98,9 +98,9 @@ void photograph(const rig::PosedImage& image, const std::vector<const scan::Scan
   cv::imwrite(mask_file.string(), mask);
 }
 
-RegisteredCandidate candidate(int front, int back, double log_likelihood, double fracture_rms_mm,
-                              const Isometry3d& pose) {
-  RegisteredCandidate c;
+decisions::RegisteredCandidate candidate(int front, int back, double log_likelihood,
+                                         double fracture_rms_mm, const Isometry3d& pose) {
+  decisions::RegisteredCandidate c;
   c.evidence.front = front;
   c.evidence.back = back;
   c.evidence.log_likelihood = log_likelihood;
@@ -115,12 +115,12 @@ RegisteredCandidate candidate(int front, int back, double log_likelihood, double
 }
 
 // Its sherds are the pairs as the program has them.
-void writeReport(const CandidateTable& table, const SyntheticOptions& options,
+void writeReport(const decisions::CandidateTable& table, const SyntheticOptions& options,
                  const fs::path& file) {
   nlohmann::ordered_json sherds = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < table.fronts.size(); ++i) {
     const std::size_t back = options.swapped_look_alikes && i < 2 ? 1 - i : i;
-    sherds.push_back({{"number", sherdNumber(table.fronts[i].id)},
+    sherds.push_back({{"number", decisions::sherdNumber(table.fronts[i].id)},
                       {"front", table.fronts[i].id},
                       {"back", table.backs[back].id}});
   }
@@ -141,8 +141,8 @@ SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& o
   for (const Placed& sherd : sherds) {
     fronts.push_back(&sherd.front);
     backs.push_back(&sherd.back);
-    out.table.fronts.push_back(refOf(sherd.front, Side::Front));
-    out.table.backs.push_back(refOf(sherd.back, Side::Back));
+    out.table.fronts.push_back(decisions::refOf(sherd.front, Side::Front));
+    out.table.backs.push_back(decisions::refOf(sherd.back, Side::Back));
     out.table.front_files.push_back("scans_front/" + sherd.front.id + ".ply");
     out.table.back_files.push_back("scans_back/" + sherd.back.id + ".ply");
     (void)writePly(work / out.table.front_files.back(), sherd.front.cloud, "plate_front");
@@ -158,8 +158,8 @@ SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& o
   // The outlines of near-duplicates lie on each other: the pose of one is the other's, moved.
   const auto across = [&](int f, int b) {
     const Isometry3d& own = out.front_from_back[static_cast<std::size_t>(b)];
-    const ScanRef &from = out.table.fronts[static_cast<std::size_t>(b)],
-                  &to = out.table.fronts[static_cast<std::size_t>(f)];
+    const decisions::ScanRef &from = out.table.fronts[static_cast<std::size_t>(b)],
+                             &to = out.table.fronts[static_cast<std::size_t>(f)];
     Isometry3d pose = own;
     pose.pretranslate(
         Vector3d(to.place_mm.x() - from.place_mm.x(), to.place_mm.y() - from.place_mm.y(), 0));
@@ -169,8 +169,8 @@ SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& o
     const Isometry3d& truth = out.front_from_back[static_cast<std::size_t>(i)];
     if (options.swapped_look_alikes && i < 2) {
       const int other = 1 - i;
-      const RegisteredCandidate own = candidate(i, i, 9.0, 0.11, truth);
-      const RegisteredCandidate wrong = candidate(i, other, 9.6, 0.10, across(i, other));
+      const decisions::RegisteredCandidate own = candidate(i, i, 9.0, 0.11, truth);
+      const decisions::RegisteredCandidate wrong = candidate(i, other, 9.6, 0.10, across(i, other));
       out.table.candidates.push_back(i == 0 ? own : wrong);
       out.table.candidates.push_back(i == 0 ? wrong : own);
     } else {

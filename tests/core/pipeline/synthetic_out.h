@@ -9,7 +9,7 @@ namespace ostraka::pipeline {
 
 struct SyntheticOut {
   std::filesystem::path output;
-  CandidateTable table;
+  decisions::CandidateTable table;
   std::vector<Eigen::Isometry3d> front_from_back;  ///< the truth: front i belongs to back i
 };
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 namespace {
 
 const std::map<std::string, std::string> kPlace = {{"site", "ARM1"},    {"trench", "T3"},
@@ -55,4 +55,4 @@ TEST(Numbering, AValueThatHoldsTheSignBesideItWarns) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

@@ -5,7 +5,7 @@
 #include "records/sherd.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::records {
 namespace {
 
 using testing::ElementsAre;
@@ -54,7 +54,7 @@ TEST(Plausibility, SaysNothingOfValuesThatNobodyChanges) {
   EXPECT_TRUE(implausible({"weight"}, {{"length", 50}, {"width", 60}, {"weight", 9}}, {}).empty());
 }
 
-class TypedMeasure : public SmallProject {
+class TypedMeasure : public catalogue::SmallProject {
  protected:
   TypedMeasure() : sherd(numbered(context12)) {
     for (const auto& [kind, value] : {std::pair("length", 72.39), std::pair("width", 60.77)})
@@ -66,7 +66,7 @@ class TypedMeasure : public SmallProject {
   ChangePreview previewOf(const FieldChange& change) {
     return catalogue().preview(std::span(&change, 1))->front();
   }
-  SherdRow sherd;
+  store::SherdRow sherd;
 };
 
 TEST_F(TypedMeasure, NeverTakesTheComputedOnesPlaceUnasked) {
@@ -118,4 +118,4 @@ TEST_F(TypedMeasure, WhereNothingWasComputedIsAskedAboutOnlyWhenImplausible) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::records

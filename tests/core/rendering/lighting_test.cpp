@@ -6,20 +6,20 @@
 #include "virtualrig/layout.h"
 #include "virtualrig/setup.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 // Light that comes off a sherd must have fallen on it first: below a sherd hardly any does. With
 // surfaces that shone whether lit or not, the plate there had a tenth of the open light, in clay's
 // colour.
 TEST(Lighting, ThePlateUnderASherdIsDark) {
-  SimulateOptions options;
+  virtualrig::SimulateOptions options;
   options.seed = 5;
   options.sherds = 1;
-  const auto sherds = makeSherds(options);
+  const auto sherds = virtualrig::makeSherds(options);
   ASSERT_TRUE(sherds.has_value());
-  Random random(2);
-  const auto layout = layOut(*sherds, options, random);
+  vessels::Random random(2);
+  const auto layout = virtualrig::layOut(*sherds, options, random);
   ASSERT_TRUE(layout.has_value());
   const Scene scene(*sherds, layout->front);
   const Lighting lighting = makeLighting(random);
@@ -39,4 +39,4 @@ TEST(Lighting, ThePlateUnderASherdIsDark) {
 }
 
 }  // namespace
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

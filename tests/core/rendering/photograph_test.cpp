@@ -7,22 +7,22 @@
 
 #include "virtualrig/setup.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::rendering {
 namespace {
 
 TEST(Photograph, ShowsTheMarkersWhereTheTrueCameraProjectsThem) {
-  Random random(21);
-  const VirtualRig rig = makeRig(1000, 4, random);
+  vessels::Random random(21);
+  const virtualrig::VirtualRig rig = virtualrig::makeRig(1000, 4, random);
   const Lighting lighting = makeLighting(random);
   const PlateSurface surface(PlateColor::Grey, 3);
-  const std::vector<VirtualSherd> none;
+  const std::vector<vessels::VirtualSherd> none;
   const Scene scene(none, {});
   const int stop = 1;
   const Lighting room_plate = turned(lighting, rig.angles_rad[stop]);
   const AmbientField ambient = gatherAmbient(scene, lighting, surface, 1, {.threads = 1});
   const LightField light = castShadows(scene, room_plate, 2, 1);
   const batch::Plate plate = standardPlate();
-  for (int camera = 0; camera < kCameras; ++camera) {
+  for (int camera = 0; camera < virtualrig::kCameras; ++camera) {
     const rig::Intrinsics& k = rig.intrinsics[static_cast<std::size_t>(camera)];
     const Eigen::Isometry3d camera_from_plate = rig.cameraFromPlate(camera, stop);
     const PlateBackdrop backdrop(room_plate, light, ambient, surface, rig.angles_rad[stop]);
@@ -56,4 +56,4 @@ TEST(Photograph, ShowsTheMarkersWhereTheTrueCameraProjectsThem) {
 }
 
 }  // namespace
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::rendering

@@ -10,7 +10,7 @@
 #include "review/review.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,13 +20,13 @@ class MoreCandidates : public ::testing::Test {
   MoreCandidates() {
     output_ = fs::temp_directory_path() / "ostraka_more_candidates_test";
     fs::remove_all(output_);
-    writeSyntheticOut(output_, {});
+    pipeline::writeSyntheticOut(output_, {});
     live_ = *LivePairs::open(output_);
   }
   ~MoreCandidates() override { fs::remove_all(output_); }
   std::vector<int> compared(int front) const {
     std::vector<int> backs;
-    for (const RegisteredCandidate& c : live_->table().candidates)
+    for (const decisions::RegisteredCandidate& c : live_->table().candidates)
       if (c.evidence.front == front) backs.push_back(c.evidence.back);
     return backs;
   }
@@ -116,4 +116,4 @@ TEST_F(MoreCandidates, AreThereForEachDoubtfulFrontOnceTheyWerePrepared) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

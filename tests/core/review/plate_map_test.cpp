@@ -6,7 +6,7 @@
 #include "cloud/ply.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::review {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,7 +16,7 @@ class PlateMaps : public testing::Test {
   PlateMaps() {
     std::string pattern = (fs::temp_directory_path() / "ostraka_map_XXXXXX").string();
     folder = ::mkdtemp(pattern.data());
-    out = writeSyntheticOut(folder / "out", {});
+    out = pipeline::writeSyntheticOut(folder / "out", {});
   }
   ~PlateMaps() override { fs::remove_all(folder); }
   PointCloud frontCloud(std::size_t i) const {
@@ -40,7 +40,7 @@ class PlateMaps : public testing::Test {
     return parts;
   }
   fs::path folder;
-  SyntheticOut out;
+  pipeline::SyntheticOut out;
 };
 
 TEST_F(PlateMaps, APieceThatWasJoinedHasItsNumberOnEachOfItsParts) {
@@ -62,4 +62,4 @@ TEST_F(PlateMaps, APieceThatWasJoinedHasItsNumberOnEachOfItsParts) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::review

@@ -13,9 +13,11 @@ using testing::HasSubstr;
 
 const fs::path kShared = OSTRAKA_SHARED_DIR;
 
-CalibrationReport calibrated(const fs::path& folder, const CalibrationOptions& options = {}) {
+calibration::CalibrationReport calibrated(const fs::path& folder,
+                                          const calibration::CalibrationOptions& options = {}) {
   QuietProgress quiet;
-  Result<CalibrationReport> report = calibrateFolder(folder, options, quiet, {});
+  Result<calibration::CalibrationReport> report =
+      calibration::calibrateFolder(folder, options, quiet, {});
   EXPECT_TRUE(report.has_value()) << report.error().sentence();
   return std::move(*report);
 }
@@ -41,9 +43,9 @@ class PartOfDemo {
 
 TEST(CalibrateFolder, FindsTheDemosRigFromTheFrontAlone) {
   const PartOfDemo part;
-  CalibrationOptions options;
+  calibration::CalibrationOptions options;
   options.lengths = {{0, 12, 314.0}};  // 157 mm from the axis on both sides, as plate.json has it
-  const CalibrationReport report = calibrated(part.folder(), options);
+  const calibration::CalibrationReport report = calibrated(part.folder(), options);
   ASSERT_TRUE(report.rig.has_value());
   ASSERT_EQ(report.cameras.size(), 3U);
   // Focal lengths of truth/cameras.json, to 0.1 %.
@@ -56,25 +58,26 @@ TEST(CalibrateFolder, FindsTheDemosRigFromTheFrontAlone) {
     EXPECT_NEAR(std::sqrt(camera->covariance[0]), camera->focal_sd_px, 1e-12);
   }
   ASSERT_EQ(report.held_out.size(), 2U);
-  for (const HeldOutDistance& d : report.held_out) EXPECT_LT(std::abs(d.error()), 0.001);
+  for (const calibration::HeldOutDistance& d : report.held_out)
+    EXPECT_LT(std::abs(d.error()), 0.001);
   EXPECT_NEAR(report.lengths[0].found_mm, 314, 0.1);
-  EXPECT_NE(report.verdict, Verdict::NotUsable);
+  EXPECT_NE(report.verdict, calibration::Verdict::NotUsable);
 }
 
 TEST(CalibrateFolder, NamesTheWorstPictureOfARealBoard) {
-  const CalibrationReport report = calibrated(kShared / "real/aruco");
+  const calibration::CalibrationReport report = calibrated(kShared / "real/aruco");
   ASSERT_EQ(report.cameras.size(), 1U);
   EXPECT_NEAR(report.cameras[0].focal_px, 811, 5);
   EXPECT_EQ(report.cameras[0].worst_picture, "32.jpg");
   EXPECT_FALSE(report.rig.has_value());
   EXPECT_THAT(report.verdict_in_words, HasSubstr("the camera poses are not"));
   EXPECT_THAT(report.missing, Contains(HasSubstr("Photograph the plate")));
-  EXPECT_THAT(inWords(report), Contains(HasSubstr("worst 32.jpg with 0.69")));
+  EXPECT_THAT(calibration::inWords(report), Contains(HasSubstr("worst 32.jpg with 0.69")));
 }
 
 TEST(CalibrateFolder, SaysThatPicturesOfOneDistanceDoNotDetermineALens) {
-  const CalibrationReport report = calibrated(kShared / "real/charuco");
-  EXPECT_EQ(report.verdict, Verdict::NotUsable);
+  const calibration::CalibrationReport report = calibrated(kShared / "real/charuco");
+  EXPECT_EQ(report.verdict, calibration::Verdict::NotUsable);
   EXPECT_THAT(report.verdict_in_words, HasSubstr("the focal length is not determined"));
   EXPECT_THAT(report.missing, Contains(HasSubstr("closer and with the board tilted")));
   EXPECT_THAT(report.set_aside, testing::ElementsAre(testing::StartsWith("0.jpg")));

@@ -65,12 +65,12 @@ batch::Batch stopsBelow(batch::Batch batch, int stops) {
   return batch;
 }
 
-Result<BatchPoses> pose(const batch::Batch& batch, const std::optional<Rig>& known = {},
-                        int threads = 0) {
+Result<calibration::BatchPoses> pose(const batch::Batch& batch,
+                                     const std::optional<Rig>& known = {}, int threads = 0) {
   QuietProgress quiet;
-  PoseOptions options;
+  calibration::PoseOptions options;
   options.threads = threads;
-  return poseBatch(batch, known, options, quiet, {});
+  return calibration::poseBatch(batch, known, options, quiet, {});
 }
 
 TEST(DemoRig, IsFoundToAFewHundredthsOfAPixel) {
@@ -170,7 +170,7 @@ TEST(DemoRig, AKnownRigTellsAPlateSaidSmallerAtAnyNumberOfStops) {
     const auto poses = pose(batch, first->rig);
     ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
     ASSERT_EQ(poses->held_out.size(), 2U);
-    for (const HeldOutDistance& distance : poses->held_out)
+    for (const calibration::HeldOutDistance& distance : poses->held_out)
       EXPECT_NEAR(distance.error(), 1 / 0.99 - 1, 3e-4) << stops;  // 0.09 of 287 mm
     EXPECT_THAT(poses->warnings, testing::Contains(testing::HasSubstr("The scale is wrong")));
     EXPECT_THAT(poses->warnings,

@@ -47,7 +47,7 @@ TEST(HandHeldPhotographs, ArePosedToAThirdOfAPixelWhereTheSherdsLie) {
   for (const PosedImage& image : cameras)
     truth.emplace(fs::path(image.file).filename().string(), image);
   QuietProgress quiet;
-  const Result<BatchPoses> poses = poseFreeCameras(hand(), {}, quiet, {});
+  const Result<calibration::BatchPoses> poses = calibration::poseFreeCameras(hand(), {}, quiet, {});
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   EXPECT_EQ(poses->images.size(), 40U);
   std::vector<double> errors_px, focal;
@@ -64,7 +64,8 @@ TEST(HandHeldPhotographs, ArePosedToAThirdOfAPixelWhereTheSherdsLie) {
                 errors_px.back(), 100 * (image.intrinsics.fx / t.intrinsics.fx - 1),
                 poses->rms_per_image_px[errors_px.size() - 1]);
   }
-  for (const HeldOutDistance& d : poses->held_out) EXPECT_LT(std::abs(d.error()), 0.003);
+  for (const calibration::HeldOutDistance& d : poses->held_out)
+    EXPECT_LT(std::abs(d.error()), 0.003);
   std::printf("median %.3f px, worst %.3f px, markers %.3f px\n", medianOf(errors_px),
               *std::max_element(errors_px.begin(), errors_px.end()), poses->reprojection_rms_px);
   EXPECT_LT(medianOf(errors_px), 0.33);
@@ -83,7 +84,7 @@ TEST(TurningPlate, IsToldByThePosesOfOneCamerasPhotographs) {
     return !shot.file.filename().string().starts_with("cam1");
   });
   QuietProgress quiet;
-  const Result<BatchPoses> poses = poseFreeCameras(batch, {}, quiet, {});
+  const Result<calibration::BatchPoses> poses = calibration::poseFreeCameras(batch, {}, quiet, {});
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   ASSERT_EQ(poses->images.size(), 16U);
   // From one height the focal length is not determined well, but the lens is one that there is.
@@ -127,7 +128,7 @@ TEST(HandHeldPhotographs, OfAnotherSceneAreLeftOutWithOneWarning) {
     batch.shots.back().camera = 10 + k;
   }
   Warned told;
-  const Result<BatchPoses> poses = poseFreeCameras(batch, {}, told, {});
+  const Result<calibration::BatchPoses> poses = calibration::poseFreeCameras(batch, {}, told, {});
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   EXPECT_EQ(poses->images.size(), 10U);
   ASSERT_EQ(told.warnings.size(), 1U);
@@ -160,7 +161,7 @@ TEST_F(ChangedPhotographs, ThatWereZoomedGetTheirOwnFocalLength) {
       return zoomed;
     });
   Warned told;
-  const Result<BatchPoses> poses = poseFreeCameras(batch_, {}, told, {});
+  const Result<calibration::BatchPoses> poses = calibration::poseFreeCameras(batch_, {}, told, {});
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   ASSERT_EQ(poses->images.size(), 10U);
   // The lens breathes by 2 %.
@@ -181,7 +182,7 @@ TEST_F(ChangedPhotographs, InWhichMostMarkersLieElsewhereAreLeftOutByName) {
     return mixed;
   });
   Warned told;
-  const Result<BatchPoses> poses = poseFreeCameras(batch_, {}, told, {});
+  const Result<calibration::BatchPoses> poses = calibration::poseFreeCameras(batch_, {}, told, {});
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   EXPECT_EQ(poses->images.size(), 9U);
   ASSERT_EQ(told.warnings.size(), 1U);
@@ -196,7 +197,7 @@ TEST(HandHeldPhotographs, OfARealTelephoneOverABentSheetArePosedAll) {
   batch.plate = batch::asSheet(*batch::readPlate(kApple / "markers.json"));
   addSide(batch, batch::Side::Front, kApple / "photographs");
   QuietProgress quiet;
-  const Result<BatchPoses> poses = poseFreeCameras(batch, {}, quiet, {});
+  const Result<calibration::BatchPoses> poses = calibration::poseFreeCameras(batch, {}, quiet, {});
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   EXPECT_EQ(poses->images.size(), 42U);
   for (std::size_t i = 0; i < poses->images.size(); ++i)
@@ -206,7 +207,7 @@ TEST(HandHeldPhotographs, OfARealTelephoneOverABentSheetArePosedAll) {
                 poses->images[i].intrinsics.distortion[0],
                 poses->images[i].intrinsics.distortion[1], poses->rms_per_image_px[i],
                 poses->markers_per_image[i]);
-  for (const HeldOutDistance& d : poses->held_out)
+  for (const calibration::HeldOutDistance& d : poses->held_out)
     std::printf("held out %d %d: %+.3f %%\n", d.first, d.second, 100 * d.error());
   std::printf("rms %.3f px\n", poses->reprojection_rms_px);
   EXPECT_LT(poses->reprojection_rms_px, 1.0);

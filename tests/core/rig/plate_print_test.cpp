@@ -30,11 +30,11 @@ class PlatePrintTest : public testing::Test {
   std::vector<cv::Mat> printed(const PlatePrint& print) {
     const fs::path file = folder_ / "plate.pdf";
     EXPECT_TRUE(writeFileAtomically(file, formatPdf(print.pages, "plate")));
-    const auto program = findProgram("pdftoppm");
+    const auto program = colmap::findProgram("pdftoppm");
     EXPECT_TRUE(program.has_value()) << "poppler-utils belongs to the packages";
-    const Result<void> done =
-        runProgram(*program, {"-r", "300", "-gray", file.string(), (folder_ / "page").string()},
-                   folder_ / "log.txt", {});
+    const Result<void> done = colmap::runProgram(
+        *program, {"-r", "300", "-gray", file.string(), (folder_ / "page").string()},
+        folder_ / "log.txt", {});
     EXPECT_TRUE(done) << done.error().sentence();
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder_))
@@ -187,7 +187,7 @@ TEST_F(PlatePrintTest, BoardIsTheOneThatIsLookedFor) {
   const auto print = printPlate({});
   ASSERT_TRUE(print.has_value());
   const cv::Mat page = printed(*print).back();
-  const Result<TargetView> view = findBoard(page, print->board);
+  const Result<calibration::TargetView> view = calibration::findBoard(page, print->board);
   ASSERT_TRUE(view.has_value());
   ASSERT_EQ(view->points.size(), 48U);  // 8 x 6 corners between 9 x 7 squares
   // 0.06 of this comes from the page's height, which is rounded up to whole pixels.

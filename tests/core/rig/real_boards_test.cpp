@@ -20,13 +20,13 @@ std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folde
 }
 
 TEST(RealArucoGrid, GivesTheFocalLengthAndNamesTheWorstPicture) {
-  const MarkerGrid grid{"DICT_6X6_1000", 4, 5, 37.5, 5.0, 0};
-  std::vector<TargetView> views;
+  const calibration::MarkerGrid grid{"DICT_6X6_1000", 4, 5, 37.5, 5.0, 0};
+  std::vector<calibration::TargetView> views;
   for (const auto& file : picturesIn(kReal / "aruco")) {
-    views.push_back(*findGrid(*batch::readPhotograph(file), grid));
+    views.push_back(*calibration::findGrid(*batch::readPhotograph(file), grid));
     views.back().file = file.filename();
   }
-  const auto report = calibrateIntrinsics(views, 640, 480);
+  const auto report = calibration::calibrateIntrinsics(views, 640, 480);
   ASSERT_TRUE(report.has_value()) << report.error().sentence();
   EXPECT_NEAR(report->intrinsics.fx, 811, 5);
   EXPECT_NEAR(report->intrinsics.cx, 318.8, 4);
@@ -39,12 +39,12 @@ TEST(RealArucoGrid, GivesTheFocalLengthAndNamesTheWorstPicture) {
 TEST(RealCharuco, SaysThatTheFocalLengthIsNotDetermined) {
   const auto board = batch::readBoard(kReal / "charuco/board.json");
   ASSERT_TRUE(board.has_value()) << board.error().sentence();
-  std::vector<TargetView> views;
+  std::vector<calibration::TargetView> views;
   for (const auto& file : picturesIn(kReal / "charuco")) {
-    views.push_back(*findBoard(*batch::readPhotograph(file), *board));
+    views.push_back(*calibration::findBoard(*batch::readPhotograph(file), *board));
     views.back().file = file.filename();
   }
-  const auto report = calibrateIntrinsics(views, 640, 480);
+  const auto report = calibration::calibrateIntrinsics(views, 640, 480);
   ASSERT_TRUE(report.has_value()) << report.error().sentence();
   EXPECT_LE(report->rms_px, 0.2);
   EXPECT_FALSE(report->focal_determined);

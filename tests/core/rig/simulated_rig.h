@@ -58,8 +58,8 @@ inline batch::Plate ring(int markers) {
 }
 
 /// Two cameras, eight stops of 45 degrees, the plate tilted a little and nudged at the flip.
-inline RigState trueRig() {
-  RigState state;
+inline calibration::RigState trueRig() {
+  calibration::RigState state;
   state.cameras.resize(2);
   state.cameras[0].intrinsics = lens(2600);
   state.cameras[0].camera_from_turntable = lookingDown(0.5, 0.1);
@@ -73,11 +73,12 @@ inline RigState trueRig() {
 }
 
 /// Every corner in every view, with noise of the given standard deviation.
-inline std::vector<PlateCorner> cornersSeen(const RigState& truth, const batch::Plate& plate,
-                                            double noise_px) {
+inline std::vector<calibration::PlateCorner> cornersSeen(const calibration::RigState& truth,
+                                                         const batch::Plate& plate,
+                                                         double noise_px) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 1);
-  std::vector<PlateCorner> corners;
+  std::vector<calibration::PlateCorner> corners;
   for (int c = 0; c < static_cast<int>(truth.cameras.size()); ++c)
     for (int side = 0; side < 2; ++side)
       for (int stop = 0; stop < 8; ++stop)

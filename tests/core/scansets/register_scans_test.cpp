@@ -12,7 +12,7 @@
 #include "scansets/register_report.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::scansets {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,10 +24,10 @@ class RegisterScans : public testing::Test {
   RegisterScans() {
     std::string pattern = (fs::temp_directory_path() / "ostraka_register_XXXXXX").string();
     folder = ::mkdtemp(pattern.data());
-    SyntheticOptions options;
+    pipeline::SyntheticOptions options;
     options.sherds = 3;
     options.swapped_look_alikes = false;
-    truth = writeSyntheticOut(folder / "truth", options);
+    truth = pipeline::writeSyntheticOut(folder / "truth", options);
     fs::copy(truth.output / "work/scans_front", folder / "front");
     fs::copy(truth.output / "work/scans_back", folder / "back");
   }
@@ -51,7 +51,7 @@ class RegisterScans : public testing::Test {
   }
 
   fs::path folder;
-  SyntheticOut truth;
+  pipeline::SyntheticOut truth;
   QuietProgress quiet;
 };
 
@@ -115,7 +115,7 @@ TEST_F(RegisterScans, WithScaleFreeFindTheirPosesInWhateverUnitTheFrontsHave) {
     EXPECT_NEAR(pair.at("scale").get<double>() / (kFront / kBack), 1, 0.005);  // common_scale.h
     Eigen::Isometry3d found = *isometryFromJson(pair.at("T_front_from_back"), "pairs.json");
     found.translation() /= kFront;
-    const ScanRef& back = truth.table.backs[i];
+    const decisions::ScanRef& back = truth.table.backs[i];
     const Eigen::Vector3d middle(back.place_mm.x(), back.place_mm.y(), 3);
     // 0.5 % of scale over the 130 mm that the backs lie away from their origin.
     EXPECT_LT((found * middle - truth.front_from_back[i] * middle).norm(), 0.7);
@@ -163,4 +163,4 @@ TEST(RegisterReport, SaysNothingWhereNoFracturesWereCompared) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::scansets

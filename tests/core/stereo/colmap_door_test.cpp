@@ -97,7 +97,7 @@ TEST_F(ColmapDoor, NamesTheProgramThatIsMissing) {
 
 TEST_F(ColmapDoor, LeavesTheWorkspaceOfAnotherRunAlone) {
   put("colmap", "exit 0");
-  const Result<FolderLock> other = rig::claimWorkspace(work());
+  const Result<FolderLock> other = colmap::claimWorkspace(work());
   ASSERT_TRUE(other.has_value());
   std::ofstream(work() / "database.db") << "in use";
   const auto cloud = run();

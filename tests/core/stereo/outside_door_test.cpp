@@ -25,7 +25,7 @@ TEST_F(OutsideDoor, WritesPinholesWithTheirCentreHalfAPixelOn) {
   // cx 99.5, cy 79.5 where a pixel's centre is whole; the lens's distortion is taken out.
   EXPECT_THAT(textOf(work() / "sparse" / "cameras.txt"),
               HasSubstr("\n8 PINHOLE 200 160 900 900 100 80\n"));
-  const auto model = rig::readColmapModel(work() / "sparse");
+  const auto model = colmap::readColmapModel(work() / "sparse");
   ASSERT_TRUE(model.has_value()) << model.error().sentence();
   ASSERT_EQ(model->images.size(), 8U);
   EXPECT_EQ(model->images[7].name, "0007.png");
@@ -39,16 +39,16 @@ TEST_F(OutsideDoor, GivesEachViewThePointsOfTheHullThatItSees) {
   DenseOptions options;
   options.floor_z_mm = ball.centre.z();
   ASSERT_TRUE(writeOutsideFolder(views, options, work(), MaskStyle::OpenMvs, {}).has_value());
-  const auto model = rig::readColmapModel(work() / "sparse");
+  const auto model = colmap::readColmapModel(work() / "sparse");
   ASSERT_TRUE(model.has_value()) << model.error().sentence();
   ASSERT_GT(model->points.size(), 500U);
   int facing = 0, all = 0, far = 0;
-  for (const rig::ColmapPoint& point : model->points) {
+  for (const colmap::ColmapPoint& point : model->points) {
     ASSERT_GE(point.track.size(), 2U);
     const Eigen::Vector3d out = point.position - ball.centre;
     far += out.norm() > 1.6 * ball.radius_mm ? 1 : 0;
     for (const auto& [image, index] : point.track) {
-      const rig::ColmapImage& seen = model->images[image - 1];
+      const colmap::ColmapImage& seen = model->images[image - 1];
       ASSERT_EQ(seen.observations[index].point, static_cast<std::int64_t>(point.id));
       const Eigen::Vector3d q = seen.camera_from_world * point.position;
       const Eigen::Vector2d pixel(900 * q.x() / q.z() + 100, 900 * q.y() / q.z() + 80);
@@ -138,26 +138,26 @@ TEST_F(OutsideDoor, RefusesPointsWithoutNormals) {
 TEST_F(OutsideDoor, IsUnderstoodByColmapInBothForms) {
   const std::vector<View> views = ballViews({}, 4);
   ASSERT_TRUE(writeOutsideFolder(views, {}, work(), MaskStyle::Colmap, {}).has_value());
-  const auto colmap = rig::findProgram("colmap");
+  const auto colmap = colmap::findProgram("colmap");
   ASSERT_TRUE(colmap.has_value()) << "Install the package colmap (packaging/).";
-  const auto ours = rig::readColmapModel(work() / "sparse");
+  const auto ours = colmap::readColmapModel(work() / "sparse");
   ASSERT_TRUE(ours.has_value());
   fs::create_directories(folder_ / "ours_binary");
-  ASSERT_TRUE(
-      rig::writeColmapModel(folder_ / "ours_binary", *ours, rig::ColmapFormat::Binary).has_value());
+  ASSERT_TRUE(colmap::writeColmapModel(folder_ / "ours_binary", *ours, colmap::ColmapFormat::Binary)
+                  .has_value());
   const auto convert = [&](const fs::path& from, const fs::path& to, const char* form) {
     fs::create_directories(to);
-    const auto run = rig::runProgram(*colmap,
-                                     {"model_converter", "--input_path", from.string(),
-                                      "--output_path", to.string(), "--output_type", form},
-                                     folder_ / "log.txt", {});
+    const auto run = colmap::runProgram(*colmap,
+                                        {"model_converter", "--input_path", from.string(),
+                                         "--output_path", to.string(), "--output_type", form},
+                                        folder_ / "log.txt", {});
     return run.has_value();
   };
   ASSERT_TRUE(convert(work() / "sparse", folder_ / "binary", "BIN")) << textOf(folder_ / "log.txt");
   ASSERT_TRUE(convert(folder_ / "ours_binary", folder_ / "text", "TXT"))
       << textOf(folder_ / "log.txt");
   for (const char* name : {"binary", "text"}) {
-    const auto theirs = rig::readColmapModel(folder_ / name);
+    const auto theirs = colmap::readColmapModel(folder_ / name);
     ASSERT_TRUE(theirs.has_value()) << theirs.error().sentence();
     ASSERT_EQ(theirs->images.size(), 8U);
     ASSERT_EQ(theirs->points.size(), ours->points.size());

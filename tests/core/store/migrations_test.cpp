@@ -2,19 +2,19 @@
 
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 const std::vector<Migration> kTwo = {
     {1, "0001_a", "CREATE TABLE thing (row INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT;"},
     {2, "0002_b", "ALTER TABLE thing ADD COLUMN weight REAL; UPDATE thing SET weight = 2.5;"}};
 
-std::unique_ptr<Database> fresh(const TemporaryFolder& folder) {
+std::unique_ptr<Database> fresh(const catalogue::TemporaryFolder& folder) {
   return std::move(*Database::open(folder.path() / "c.sqlite", Database::Mode::Create));
 }
 
 TEST(Migrations, AnOlderCatalogueKeepsItsRowsAndIsBackedUpFirst) {
-  const TemporaryFolder folder;
+  const catalogue::TemporaryFolder folder;
   const auto database = fresh(folder);
   int backups = 0;
   const auto backup = [&]() -> Result<void> {
@@ -39,7 +39,7 @@ TEST(Migrations, AnOlderCatalogueKeepsItsRowsAndIsBackedUpFirst) {
 }
 
 TEST(Migrations, ANewerSchemaIsRefusedWithASentence) {
-  const TemporaryFolder folder;
+  const catalogue::TemporaryFolder folder;
   const auto database = fresh(folder);
   ASSERT_TRUE(migrate(*database, kTwo, {}));
   const Result<void> older = migrate(*database, std::span(kTwo).first(1), {});
@@ -50,7 +50,7 @@ TEST(Migrations, ANewerSchemaIsRefusedWithASentence) {
 }
 
 TEST(Migrations, AStepThatFailsLeavesTheLastWholeSchema) {
-  const TemporaryFolder folder;
+  const catalogue::TemporaryFolder folder;
   const auto database = fresh(folder);
   const std::vector<Migration> broken = {
       kTwo[0], {2, "0002_bad", "CREATE TABLE half (a INTEGER) STRICT; CREATE NONSENSE;"}};
@@ -60,7 +60,7 @@ TEST(Migrations, AStepThatFailsLeavesTheLastWholeSchema) {
 }
 
 TEST(Migrations, ABackupThatFailsStopsTheUpdate) {
-  const TemporaryFolder folder;
+  const catalogue::TemporaryFolder folder;
   const auto database = fresh(folder);
   ASSERT_TRUE(migrate(*database, std::span(kTwo).first(1), {}));
   const auto full = []() -> Result<void> { return Error{ErrorCode::CannotWrite, "full", {}}; };
@@ -72,7 +72,7 @@ TEST(Migrations, TheProgramsOwnAreNumberedWithoutGapsAndMakeASoundCatalogue) {
   int number = 0;
   for (const Migration& step : migrations()) EXPECT_EQ(step.number, ++number) << step.name;
   EXPECT_GE(number, 1);
-  const TemporaryFolder folder;
+  const catalogue::TemporaryFolder folder;
   const auto database = fresh(folder);
   ASSERT_TRUE(migrate(*database, migrations(), {}));
   Statement tables = database->sql(
@@ -85,4 +85,4 @@ TEST(Migrations, TheProgramsOwnAreNumberedWithoutGapsAndMakeASoundCatalogue) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

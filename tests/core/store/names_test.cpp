@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 TEST(Names, AnIdIsAUuidOfVersionSevenThatBeginsWithTheTime) {
@@ -67,4 +67,4 @@ TEST(Names, AFileNameHoldsNothingThatAFileSystemOrAManifestCouldMisread) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 constexpr const char* kMounts =
@@ -32,4 +32,4 @@ TEST(NetworkShare, AMountInTheSamePlaceCoversTheEarlierOne) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

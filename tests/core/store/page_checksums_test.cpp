@@ -12,12 +12,12 @@
 #include "tests/core/catalogue/flipped_bits.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 namespace fs = std::filesystem;
 
-class PageChecksums : public SmallProject {
+class PageChecksums : public catalogue::SmallProject {
  protected:
   void fill(int sherds) {
     for (int i = 0; i < sherds; ++i) {
@@ -64,7 +64,7 @@ std::string askedOfPlainSqlite(const fs::path& file, const char* sql) {
 TEST_F(PageChecksums, EachPageOfTheFileCarriesItsOwn) {
   fill(30);
   project_.reset();
-  const std::string bytes = bytesOf(file());
+  const std::string bytes = catalogue::bytesOf(file());
   ASSERT_GT(bytes.size(), 20 * kPageBytes);
   ASSERT_EQ(bytes.size() % kPageBytes, 0u);
   for (std::size_t at = 0; at < bytes.size(); at += kPageBytes)
@@ -102,7 +102,7 @@ TEST_F(PageChecksums, AreOthersForEachFlippedBit) {
 TEST_F(PageChecksums, NoFlippedBitIsAcceptedWithAnotherContent) {
   fill(40);
   project_.reset();
-  const Flips flips = flipBits(folder(), 300, 20261124, 10);
+  const catalogue::Flips flips = catalogue::flipBits(folder(), 300, 20261124, 10);
   EXPECT_EQ(flips.accepted, 0);
   EXPECT_GT(flips.found, 270) << "pages that nothing uses are few";
   EXPECT_EQ(flips.not_restored, 0);
@@ -112,33 +112,33 @@ TEST_F(PageChecksums, NoFlippedBitIsAcceptedWithAnotherContent) {
 TEST_F(PageChecksums, EveryBitOfTheHeaderIsGuarded) {
   fill(3);
   project_.reset();
-  const std::string content = *contentOf(folder());
-  const std::string whole = bytesOf(file());
+  const std::string content = *catalogue::contentOf(folder());
+  const std::string whole = catalogue::bytesOf(file());
   for (std::size_t bit = 0; bit < 100 * 8; ++bit) {
     std::string bytes = whole;
     bytes[bit / 8] ^= static_cast<char>(1 << bit % 8);
-    writeBytes(file(), bytes);
-    EXPECT_FALSE(Project::open(folder())) << "bit " << bit % 8 << " of byte " << bit / 8;
+    catalogue::writeBytes(file(), bytes);
+    EXPECT_FALSE(upkeep::Project::open(folder())) << "bit " << bit % 8 << " of byte " << bit / 8;
   }
-  writeBytes(file(), whole);
-  EXPECT_EQ(*contentOf(folder()), content);
+  catalogue::writeBytes(file(), whole);
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
 }
 
 TEST_F(PageChecksums, ATruncatedFileIsRefused) {
   fill(30);
   project_.reset();
   fs::resize_file(file(), fs::file_size(file()) - kPageBytes);
-  EXPECT_FALSE(contentOf(folder()));
+  EXPECT_FALSE(catalogue::contentOf(folder()));
 }
 
 TEST_F(PageChecksums, WhatAKilledProcessSavedIsThere) {
   project_.reset();
   inAKilledProcess([&] {
-    project_ = std::make_unique<Project>(*Project::open(folder()));
+    project_ = std::make_unique<upkeep::Project>(*upkeep::Project::open(folder()));
     fill(30);
   });
   ASSERT_GT(fs::file_size(file().string() + "-wal"), 0u) << "nothing was tried";
-  const Result<Project> again = Project::open(folder());
+  const Result<upkeep::Project> again = upkeep::Project::open(folder());
   ASSERT_TRUE(again) << again.error().sentence();
   EXPECT_EQ(again->catalogue().sherdRows({}, {})->size(), 30u);
   EXPECT_TRUE(again->catalogue().checkIntegrity());
@@ -147,13 +147,13 @@ TEST_F(PageChecksums, WhatAKilledProcessSavedIsThere) {
 TEST_F(PageChecksums, AnotherSqliteReadsItAndFinishesWhatAKilledProcessLeft) {
   project_.reset();
   inAKilledProcess([&] {
-    project_ = std::make_unique<Project>(*Project::open(folder()));
+    project_ = std::make_unique<upkeep::Project>(*upkeep::Project::open(folder()));
     fill(30);
   });
   EXPECT_EQ(askedOfPlainSqlite(file(), "SELECT count(*) FROM sherd; PRAGMA integrity_check"),
             "30ok");
   EXPECT_FALSE(fs::exists(file().string() + "-wal")) << "it was not written into the file";
-  const Result<std::string> content = contentOf(folder());
+  const Result<std::string> content = catalogue::contentOf(folder());
   EXPECT_TRUE(content) << content.error().sentence();
 }
 
@@ -161,7 +161,7 @@ TEST_F(PageChecksums, WhatAnotherProgramChangedIsFound) {
   fill(3);
   project_.reset();
   EXPECT_EQ(askedOfPlainSqlite(file(), "UPDATE sherd SET ware = 'other'"), "");
-  const Result<std::string> content = contentOf(folder());
+  const Result<std::string> content = catalogue::contentOf(folder());
   ASSERT_FALSE(content);
   EXPECT_EQ(content.error().code, ErrorCode::Damaged);
 }
@@ -172,7 +172,7 @@ TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
   for (int writer = 0; writer < 4; ++writer) {
     const pid_t child = ::fork();
     if (child == 0) {
-      project_ = std::make_unique<Project>(*Project::open(folder()));
+      project_ = std::make_unique<upkeep::Project>(*upkeep::Project::open(folder()));
       bool all = true;
       for (int i = 0; i < 40; ++i) all = catalogue().addSherd({}, anna).has_value() && all;
       if (writer % 2 == 0) project_.reset();
@@ -185,7 +185,7 @@ TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
     ::waitpid(writer, &status, 0);
     EXPECT_EQ(status, 0);
   }
-  const Result<Project> again = Project::open(folder());
+  const Result<upkeep::Project> again = upkeep::Project::open(folder());
   ASSERT_TRUE(again) << again.error().sentence();
   EXPECT_EQ(again->catalogue().sherdRows({}, {})->size(), 160u);
   const Result<void> whole = again->catalogue().checkIntegrity();
@@ -195,7 +195,7 @@ TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
 TEST_F(PageChecksums, ACatalogueOfBeforeThemGetsThemAndKeepsItsRows) {
   fill(20);
   project_.reset();
-  const std::string content = *contentOf(folder());
+  const std::string content = *catalogue::contentOf(folder());
   // As the versions before 8 wrote it: no reserved bytes.
   const fs::path original = folder_.path() / "original.sqlite";
   fs::rename(file(), original);
@@ -209,14 +209,15 @@ TEST_F(PageChecksums, ACatalogueOfBeforeThemGetsThemAndKeepsItsRows) {
   copy += "INSERT INTO sherd_text (rowid, words) SELECT rowid, words FROM original.sherd_text";
   ASSERT_EQ(askedOfPlainSqlite(file(), copy.c_str()), "");
   ASSERT_EQ(*lookAtHeader(file()), Pages::Plain);
-  const Result<std::string> after = contentOf(folder());
+  const Result<std::string> after = catalogue::contentOf(folder());
   ASSERT_TRUE(after) << after.error().sentence();
   EXPECT_EQ(*after, content);
   EXPECT_EQ(*lookAtHeader(file()), Pages::Checked);
-  ASSERT_EQ(valueIn(Project::open(folder())).backups().size(), 1u);
-  EXPECT_EQ(*lookAtHeader(valueIn(Project::open(folder())).backups()[0]), Pages::Plain)
+  ASSERT_EQ(catalogue::valueIn(upkeep::Project::open(folder())).backups().size(), 1u);
+  EXPECT_EQ(*lookAtHeader(catalogue::valueIn(upkeep::Project::open(folder())).backups()[0]),
+            Pages::Plain)
       << "as it was before";
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

@@ -4,7 +4,7 @@
 
 #include <clocale>
 
-namespace ostraka::catalogue {
+namespace ostraka::store {
 namespace {
 
 TEST(Values, DaysThatDoNotExistAreRefused) {
@@ -71,4 +71,4 @@ TEST(Values, PathsThatLeaveTheProjectAreRefused) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::store

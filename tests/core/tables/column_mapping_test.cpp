@@ -5,7 +5,7 @@
 #include "tables/import_table.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using namespace catalogue;
@@ -33,7 +33,7 @@ class Columns : public SmallProject {
     return report ? *report : ImportReport();
   }
   std::string valueIn(const char* number, const char* field) {
-    return textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), field);
+    return records::textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), field);
   }
   QuietProgress quiet;
 };
@@ -126,7 +126,7 @@ TEST(ColumnChoices, AreReadAsTheyAreTyped) {
 }
 
 TEST_F(Columns, OfMeasuresThatTheCatalogueAsksAboutHoldTheirRowUntilItIsConfirmed) {
-  const SherdRow sherd = numbered(context12);
+  const store::SherdRow sherd = numbered(context12);
   ASSERT_TRUE(catalogue().measure({sherd, "length", {}, 72.39, {}, "program", {}, "m"}, {}));
   const std::string table = "number,length_mm,note\n" + valueOf(sherd, "number") + ",7,slip\n";
   ImportReport report = import(table);
@@ -146,4 +146,4 @@ TEST_F(Columns, OfMeasuresThatTheCatalogueAsksAboutHoldTheirRowUntilItIsConfirme
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

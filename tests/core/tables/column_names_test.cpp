@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 TEST(ColumnNames, AreKnownInSevenLanguagesWhateverTheirCapitalsAccentsAndMarks) {
@@ -52,4 +52,4 @@ TEST(ColumnNames, SayTheirUnitInBracketsAndBehindTheirName) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

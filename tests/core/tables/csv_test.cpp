@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using testing::ElementsAre;
@@ -136,4 +136,4 @@ TEST(Csv, AnyTextSurvivesWritingAndReading) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

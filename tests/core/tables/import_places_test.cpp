@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 TEST(ImportPlaces, AreThoseOfPhotographsScansModelsAndDrawings) {
@@ -53,4 +53,4 @@ TEST(ImportPlaces, AreNoneThatSteerTheProgramOrBelongToOthers) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

@@ -11,7 +11,7 @@
 #include "tables/csv.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 using namespace catalogue;
@@ -45,9 +45,10 @@ TEST_F(Import, OfSherdsMakesThemWithAllTheirValues) {
   const ImportReport report = import(kTwo);
   EXPECT_EQ(report.fresh, 2);
   EXPECT_EQ(report.refused, 0);
-  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  const records::SherdRecord sherd =
+      *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
   EXPECT_EQ(sherd.bag, bag4);
-  EXPECT_EQ(textOf(sherd, "part"), "rim; neck");
+  EXPECT_EQ(records::textOf(sherd, "part"), "rim; neck");
   EXPECT_EQ(sherd.measures.at("weight"), 23.4);
   EXPECT_EQ(sherd.note, "=1+1") << "the guard against formulas is taken off";
   EXPECT_EQ(catalogue().history(sherd.row)->front().source, "test");
@@ -76,8 +77,9 @@ TEST_F(Import, BlankKeepsAndClearDeletes) {
   const ImportReport report =
       import("number,part,note,weight_g\nARM1-T3-0012-0001,,<clear>,<clear>\n");
   EXPECT_EQ(report.changed, 1);
-  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
-  EXPECT_EQ(textOf(sherd, "part"), "rim; neck");
+  const records::SherdRecord sherd =
+      *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(records::textOf(sherd, "part"), "rim; neck");
   EXPECT_EQ(sherd.note, "");
   EXPECT_TRUE(sherd.measures.empty());
 }
@@ -124,7 +126,7 @@ TEST_F(Import, UnknownPlacesAreMadeWhenAskedFor) {
   EXPECT_EQ(import(table).refused, 2);
   const ImportReport report = import(table, ImportMode::Enter, UnknownPlaces::Make);
   EXPECT_EQ(report.fresh, 2);
-  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("NEW-2"));
+  const records::SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("NEW-2"));
   EXPECT_EQ(sherd.site + sherd.trench + sherd.context_number + sherd.bag_number, "TBA17");
   EXPECT_EQ(catalogue().sites()->size(), 2u);
 }
@@ -133,7 +135,8 @@ TEST_F(Import, UnknownColumnsBecomeFieldsOfOnesOwnWithAWarning) {
   const ImportReport report = import("number,site,trench,context,drawer\nX-1,ARM1,T3,0012,7\n");
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_NE(report.warnings[0].find("'drawer'"), std::string::npos);
-  EXPECT_EQ(textOf(*catalogue().sherd(*catalogue().sherdByNumber("X-1")), "extra.drawer"), "7");
+  EXPECT_EQ(records::textOf(*catalogue().sherd(*catalogue().sherdByNumber("X-1")), "extra.drawer"),
+            "7");
 }
 
 TEST_F(Import, OfContextsMakesAndChangesThem) {
@@ -149,7 +152,7 @@ TEST_F(Import, OfContextsMakesAndChangesThem) {
   EXPECT_EQ(report.refused, 2);
   EXPECT_EQ(report.refusals[0].line, 4);
   EXPECT_NE(report.refusals[1].reason.find("2026-07-14"), std::string::npos);
-  const ContextRecord c = *catalogue().context(context12);
+  const records::ContextRecord c = *catalogue().context(context12);
   EXPECT_EQ(c.kind, "layer");
   EXPECT_TRUE(c.closed);
   EXPECT_EQ(catalogue().bags(*catalogue().contextByPlace("ARM1", "T4", "0001"))->front().weight_g,
@@ -175,7 +178,7 @@ TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
   const ImportReport report =
       import("site;trench;context;description;Öffner\nARM1;T3;0012;dark fill;LT\n");
   EXPECT_EQ(report.warnings.size(), 2u);
-  const auto own = [&](ContextRow row) { return catalogue().context(row)->extra_json; };
+  const auto own = [&](store::ContextRow row) { return catalogue().context(row)->extra_json; };
   EXPECT_EQ(own(context12), "{\"description\":\"dark fill\",\"Öffner\":\"LT\"}");
   EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;\n").same, 1);
   EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;<clear>\n").changed, 1);
@@ -190,10 +193,11 @@ TEST_F(Import, ATableOfSomethingElseIsRefusedWhole) {
 TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
   import(kTwo);
   ASSERT_TRUE(set(*catalogue().sherdByNumber("ARM1-T3-0013-0001"), "joins", "ARM1-T3-0012-0001"));
-  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter{}, {});
+  const std::vector<store::SherdRow> rows = *catalogue().sherdRows(Filter{}, {});
   for (const char* locale : {"C", "de_DE.UTF-8", "pl_PL.UTF-8", "pt_BR.UTF-8"}) {
     std::setlocale(LC_ALL, locale);
-    const Result<std::string> text = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+    const Result<std::string> text =
+        exchange::sherdsCsv(catalogue(), rows, exchange::ByteOrderMark::With);
     ASSERT_TRUE(text);
     EXPECT_NE(text->find("23.4"), std::string::npos);
     const ImportReport report = import(*text);
@@ -205,17 +209,18 @@ TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
 
 TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
   import(kTwo);
-  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  const std::vector<store::SherdRow> rows = *catalogue().sherdRows(Filter(), {});
   for (const auto& [kind, value] :
        {std::pair("length", 32.833193793898516), std::pair("area", 15201.000499)}) {
-    Measurement m;  // the program's
+    records::Measurement m;  // the program's
     m.sherd = rows[0];
     m.kind = kind;
     m.value = value;
     ASSERT_TRUE(catalogue().measure(m, {}));
   }
   ASSERT_TRUE(set(rows[0], "width_mm", "21.0625"));
-  const Result<std::string> text = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+  const Result<std::string> text =
+      exchange::sherdsCsv(catalogue(), rows, exchange::ByteOrderMark::With);
   ASSERT_TRUE(text) << text.error().sentence();
   EXPECT_THAT(*text, testing::HasSubstr(",32.833,21.063,"));
   EXPECT_THAT(*text, testing::HasSubstr(",15201,"));
@@ -232,8 +237,9 @@ TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
   EXPECT_DOUBLE_EQ(catalogue().sherd(rows[0])->measures.at("length"), 32.833193793898516);
   const auto by_hand = catalogue().measuredByHand(rows);
   ASSERT_TRUE(by_hand);
-  EXPECT_THAT(*by_hand, testing::UnorderedElementsAre(testing::Field(&Measurement::kind, "weight"),
-                                                      testing::Field(&Measurement::kind, "width")));
+  EXPECT_THAT(*by_hand,
+              testing::UnorderedElementsAre(testing::Field(&records::Measurement::kind, "weight"),
+                                            testing::Field(&records::Measurement::kind, "width")));
   std::string other = *text;  // by a person, who measured it again
   other.replace(other.find(",32.833,"), 8, ",32.834,");
   EXPECT_EQ(import(other).asked, 1) << "the computed value does not give way unasked";
@@ -246,14 +252,15 @@ TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
 
 TEST_F(Import, OfATableOfBeforeAComputationLeavesTheProgramsMeasures) {
   import(kTwo);
-  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter(), {});
-  Measurement m;
+  const std::vector<store::SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  records::Measurement m;
   m.sherd = rows[0];
   m.kind = "length";
   m.value = 60.1;
   m.model_sha256 = "first";
   ASSERT_TRUE(catalogue().measure(m, {}));
-  const Result<std::string> before = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+  const Result<std::string> before =
+      exchange::sherdsCsv(catalogue(), rows, exchange::ByteOrderMark::With);
   ASSERT_TRUE(before);
   m.value = 60.4;
   m.model_sha256 = "second";
@@ -266,7 +273,7 @@ TEST_F(Import, OfATableOfBeforeAComputationLeavesTheProgramsMeasures) {
 class Joins : public Import {
  protected:
   std::string of(const char* number) {
-    return textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), "joins");
+    return records::textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), "joins");
   }
   const std::string head = "number,site,trench,context,joins\n";
 };
@@ -328,9 +335,10 @@ TEST_F(Import, OfANewSherdKeepsWhatAProgramMeasuredForThePrograms) {
   EXPECT_EQ(report.fresh, 1);
   ASSERT_EQ(report.refusals.size(), 1u);
   EXPECT_THAT(report.refusals[0].reason, testing::HasSubstr("1000 mm")) << "as strict as ever";
-  const SherdRow row = *catalogue().sherdByNumber("X-1");
+  const store::SherdRow row = *catalogue().sherdByNumber("X-1");
   std::map<std::string, std::string> methods;
-  for (const Measurement& m : valueIn(catalogue().measurements(row))) methods[m.kind] = m.method;
+  for (const records::Measurement& m : valueIn(catalogue().measurements(row)))
+    methods[m.kind] = m.method;
   EXPECT_THAT(methods, testing::ElementsAre(testing::Pair("length", "program"),
                                             testing::Pair("rim_pct", "program"),
                                             testing::Pair("width", "calliper")));
@@ -453,7 +461,7 @@ bool othersWriteDuring(const std::filesystem::path& project,
   std::atomic<bool> over = false, began = false, meanwhile = false;
   std::thread other([&] {
     while (!began) std::this_thread::yield();
-    Result<Catalogue> second = Project::connect(project);
+    Result<Catalogue> second = upkeep::Project::connect(project);
     const bool written = second && second->setSetting("a.window", "decides");
     meanwhile = written && !over;
   });
@@ -477,4 +485,4 @@ TEST_F(Import, LetsOthersWriteMeanwhile) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

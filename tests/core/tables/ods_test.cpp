@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ostraka::exchange {
+namespace ostraka::tables {
 namespace {
 
 TEST(Ods, BeginsWithItsTypeSoThatAnyProgramKnowsIt) {
@@ -28,4 +28,4 @@ TEST(Ods, KeepsBlanksLinesAndSigns) {
 }
 
 }  // namespace
-}  // namespace ostraka::exchange
+}  // namespace ostraka::tables

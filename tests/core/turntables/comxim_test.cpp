@@ -6,15 +6,15 @@
 #include "tests/core/capture/flat_rig.h"
 #include "tests/core/capture/simulated_controllers.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
+using capture::testing::Mischief;
+using capture::testing::PseudoTerminal;
+using capture::testing::SimulatedChannel;
+using capture::testing::SimulatedClock;
+using capture::testing::SimulatedComXim;
 using ::testing::HasSubstr;
-using testing::Mischief;
-using testing::PseudoTerminal;
-using testing::SimulatedChannel;
-using testing::SimulatedClock;
-using testing::SimulatedComXim;
 
 ComXimOptions optionsOf(int dialect) {
   ComXimOptions options;
@@ -37,7 +37,7 @@ class ComXim : public ::testing::TestWithParam<int> {
 
   std::shared_ptr<SimulatedClock> clock_ = std::make_shared<SimulatedClock>();
   std::shared_ptr<SimulatedComXim> device_;
-  std::unique_ptr<Turntable> table_;
+  std::unique_ptr<devices::Turntable> table_;
 };
 INSTANTIATE_TEST_SUITE_P(Dialect, ComXim, ::testing::Values(1, 2));
 
@@ -159,12 +159,13 @@ TEST_P(ComXim, StopsTheTableOnRequest) {
 }
 
 TEST_P(ComXim, WorksOverAPseudoTerminal) {
-  const auto device = std::make_shared<SimulatedComXim>(steadyClock(), Mischief{}, GetParam());
+  const auto device =
+      std::make_shared<SimulatedComXim>(devices::steadyClock(), Mischief{}, GetParam());
   device->speed_deg_s = 2000;
   const PseudoTerminal terminal(device);
-  auto channel = openSerial(terminal.path(), 115200);
+  auto channel = devices::openSerial(terminal.path(), 115200);
   ASSERT_TRUE(channel.has_value());
-  auto table = openComXim(std::move(*channel), optionsOf(GetParam()), steadyClock(), {});
+  auto table = openComXim(std::move(*channel), optionsOf(GetParam()), devices::steadyClock(), {});
   ASSERT_TRUE(table.has_value()) << table.error().what;
   ASSERT_TRUE((*table)->zeroHere({}).has_value());
   ASSERT_TRUE((*table)->moveTo(45, {}).has_value());
@@ -190,4 +191,4 @@ TEST(ParseComXimReply, TellsTheMessagesApart) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

@@ -6,15 +6,15 @@
 #include "tests/core/capture/flat_rig.h"
 #include "tests/core/capture/simulated_controllers.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
+using capture::testing::Mischief;
+using capture::testing::PseudoTerminal;
+using capture::testing::SimulatedChannel;
+using capture::testing::SimulatedClock;
+using capture::testing::SimulatedGrbl;
 using ::testing::HasSubstr;
-using testing::Mischief;
-using testing::PseudoTerminal;
-using testing::SimulatedChannel;
-using testing::SimulatedClock;
-using testing::SimulatedGrbl;
 
 class Grbl : public ::testing::Test {
  protected:
@@ -27,7 +27,7 @@ class Grbl : public ::testing::Test {
 
   std::shared_ptr<SimulatedClock> clock_ = std::make_shared<SimulatedClock>();
   std::shared_ptr<SimulatedGrbl> device_;
-  std::unique_ptr<Turntable> table_;
+  std::unique_ptr<devices::Turntable> table_;
 };
 
 TEST_F(Grbl, DoesNotTurnBeforeItsPositionIsKnown) {
@@ -131,7 +131,7 @@ TEST_F(Grbl, GivesUpOnASilentTableInWords) {
 }
 
 // Asks to stop when the table has turned for a while.
-class StoppingClock final : public Clock {
+class StoppingClock final : public devices::Clock {
  public:
   double now_s() override { return inner->now_s(); }
   bool sleep(double seconds, std::stop_token stop) override {
@@ -220,11 +220,11 @@ TEST_F(Grbl, StandsWhereItSaysOrSaysThatItDoesNotKnow) {
 }
 
 TEST(GrblOnAPseudoTerminal, TurnsInRealTime) {
-  const auto device = std::make_shared<SimulatedGrbl>(steadyClock(), Mischief{});
+  const auto device = std::make_shared<SimulatedGrbl>(devices::steadyClock(), Mischief{});
   const PseudoTerminal terminal(device);
-  auto channel = openSerial(terminal.path(), 115200);
+  auto channel = devices::openSerial(terminal.path(), 115200);
   ASSERT_TRUE(channel.has_value()) << channel.error().what;
-  auto table = openGrbl(std::move(*channel), {.speed_deg_s = 2000}, steadyClock(), {});
+  auto table = openGrbl(std::move(*channel), {.speed_deg_s = 2000}, devices::steadyClock(), {});
   ASSERT_TRUE(table.has_value()) << table.error().what;
   ASSERT_TRUE((*table)->zeroHere({}).has_value());
   ASSERT_TRUE((*table)->moveTo(45, {}).has_value());
@@ -232,21 +232,21 @@ TEST(GrblOnAPseudoTerminal, TurnsInRealTime) {
 }
 
 TEST(SerialChannel, IsForOneProgramOnly) {
-  const auto device = std::make_shared<SimulatedGrbl>(steadyClock(), Mischief{});
+  const auto device = std::make_shared<SimulatedGrbl>(devices::steadyClock(), Mischief{});
   const PseudoTerminal terminal(device);
-  const auto first = openSerial(terminal.path(), 115200);
+  const auto first = devices::openSerial(terminal.path(), 115200);
   ASSERT_TRUE(first.has_value());
-  const auto second = openSerial(terminal.path(), 115200);
+  const auto second = devices::openSerial(terminal.path(), 115200);
   ASSERT_FALSE(second.has_value());
   EXPECT_THAT(second.error().what, HasSubstr("Another program"));
-  EXPECT_EQ(openSerial("/dev/no-such-port", 115200).error().code, ErrorCode::Missing);
-  EXPECT_EQ(openSerial(terminal.path(), 123).error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(devices::openSerial("/dev/no-such-port", 115200).error().code, ErrorCode::Missing);
+  EXPECT_EQ(devices::openSerial(terminal.path(), 123).error().code, ErrorCode::UnusableInput);
 }
 
 TEST(SerialChannel, NoticesThatTheOtherEndIsGone) {
-  auto terminal =
-      std::make_unique<PseudoTerminal>(std::make_shared<SimulatedGrbl>(steadyClock(), Mischief{}));
-  const auto channel = openSerial(terminal->path(), 115200);
+  auto terminal = std::make_unique<PseudoTerminal>(
+      std::make_shared<SimulatedGrbl>(devices::steadyClock(), Mischief{}));
+  const auto channel = devices::openSerial(terminal->path(), 115200);
   ASSERT_TRUE(channel.has_value());
   terminal.reset();
   Result<std::string> read = std::string();
@@ -275,4 +275,4 @@ TEST(GrblTrouble, SaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

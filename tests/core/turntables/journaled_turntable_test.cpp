@@ -7,12 +7,12 @@
 
 #include "tests/core/capture/flat_rig.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::FlatTruth;
-using testing::FlatTurntable;
+using capture::testing::FlatTruth;
+using capture::testing::FlatTurntable;
 
 class JournaledTurntable : public ::testing::Test {
  protected:
@@ -31,7 +31,7 @@ class JournaledTurntable : public ::testing::Test {
       fs::temp_directory_path() / ("ostraka_journal_" + std::to_string(::getpid()) + ".json");
   std::shared_ptr<FlatTruth> truth_ = std::make_shared<FlatTruth>();
   FlatTurntable* inner_ = nullptr;
-  std::unique_ptr<Turntable> table_;
+  std::unique_ptr<devices::Turntable> table_;
 };
 
 TEST_F(JournaledTurntable, KnowsItsPlaceAfterTheProgramWasKilledAtRest) {
@@ -75,4 +75,4 @@ TEST_F(JournaledTurntable, IsNotMisledByABrokenJournal) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

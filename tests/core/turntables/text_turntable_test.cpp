@@ -9,14 +9,14 @@
 #include "tests/core/capture/flat_rig.h"
 #include "tests/core/capture/simulated_controllers.h"
 
-namespace ostraka::capture {
+namespace ostraka::turntables {
 namespace {
 
+using capture::testing::Mischief;
+using capture::testing::SimulatedChannel;
+using capture::testing::SimulatedClock;
+using capture::testing::SimulatedController;
 using ::testing::HasSubstr;
-using testing::Mischief;
-using testing::SimulatedChannel;
-using testing::SimulatedClock;
-using testing::SimulatedController;
 
 // What a Marlin board says to the few words that a turntable needs.
 class SimulatedMarlin final : public SimulatedController {
@@ -74,7 +74,7 @@ class TextTurntable : public ::testing::Test {
   }
   std::shared_ptr<SimulatedClock> clock_ = std::make_shared<SimulatedClock>();
   std::shared_ptr<SimulatedMarlin> board_;
-  std::unique_ptr<Turntable> table_;
+  std::unique_ptr<devices::Turntable> table_;
 };
 
 TEST_F(TextTurntable, TurnsAMarlinTableAndWaitsUntilItStands) {
@@ -156,4 +156,4 @@ TEST(TextDialect, RefusesWordsThatCannotWork) {
 }
 
 }  // namespace
-}  // namespace ostraka::capture
+}  // namespace ostraka::turntables

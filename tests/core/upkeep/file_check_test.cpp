@@ -8,24 +8,24 @@
 #include "store/database.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
 
-class FileCheck : public SmallProject {
+class FileCheck : public catalogue::SmallProject {
  protected:
   FileCheck() : batch(newBatch({bag4})), sherd(numbered(context12)) {
     enter("batches/B0001/front/cam0_pos00.jpg", "photo", std::string(3000, 'p'));
     enter("models/B0001/aa/model.ply", "model", std::string(2000, 'm'));
     enter("models/B0001/aa/preview.png", "preview", std::string(1000, 'v'));
     enter("results/B0001/work/scans_front/f001.ply", "scan", std::string(500, 's'));
-    EXPECT_TRUE(catalogue().setBatchState(batch, BatchState::Done, anna));
+    EXPECT_TRUE(catalogue().setBatchState(batch, records::BatchState::Done, anna));
   }
   fs::path at(const std::string& path) const { return project_->folder() / path; }
   void enter(const std::string& path, const std::string& role, const std::string& bytes) {
     ASSERT_TRUE(writeFileAtomically(at(path), bytes));
-    FileRecord file;
+    records::FileRecord file;
     file.path = path;
     file.role = role;
     file.sha256 = sha256(bytes);
@@ -44,24 +44,24 @@ class FileCheck : public SmallProject {
     file.put(static_cast<char>(byte ^ 4));
   }
   CheckedFiles check(CheckDepth depth = CheckDepth::Hashes) {
-    return valueIn(checkFiles(catalogue(), project_->folder(), depth, quiet, {}));
+    return catalogue::valueIn(checkFiles(catalogue(), project_->folder(), depth, quiet, {}));
   }
   CheckedFiles share(std::int64_t bytes) {
-    return valueIn(checkShare(catalogue(), project_->folder(), bytes, quiet, {}));
+    return catalogue::valueIn(checkShare(catalogue(), project_->folder(), bytes, quiet, {}));
   }
   static std::vector<std::string> sentences(const CheckedFiles& checked) {
     std::vector<std::string> all;
     for (const DamagedFile& file : checked.damaged) all.push_back(sentenceOf(file));
     return all;
   }
-  BatchRow batch;
-  SherdRow sherd;
+  store::BatchRow batch;
+  store::SherdRow sherd;
   QuietProgress quiet;
 };
 
 TEST_F(FileCheck, FindsOneBitFlippedInEachKindOfFile) {
   EXPECT_THAT(sentences(check()), testing::IsEmpty());
-  for (const KnownFile& file : valueIn(knownFiles(catalogue()))) flipBit(file.path);
+  for (const KnownFile& file : catalogue::valueIn(knownFiles(catalogue()))) flipBit(file.path);
   EXPECT_THAT(sentences(check(CheckDepth::NamesAndSizes)), testing::IsEmpty())
       << "a bit changes no size";
   EXPECT_THAT(sentences(check()),
@@ -90,9 +90,9 @@ TEST_F(FileCheck, FindsWhatIsMissingAndWhatHasAnotherSizeByNamesAlone) {
 
 TEST_F(FileCheck, LeavesOutTheResultsOfABatchThatIsBeingComputed) {
   flipBit("results/B0001/work/scans_front/f001.ply");
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Queued, anna));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Queued, anna));
   EXPECT_THAT(sentences(check()), testing::IsEmpty());
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, anna));
+  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, anna));
   EXPECT_EQ(check().damaged.size(), 1u);
 }
 
@@ -191,4 +191,4 @@ TEST_F(FileCheck, RefusesACatalogueThatNamesPlacesOutsideTheProject) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

@@ -6,12 +6,12 @@
 #include "store/names.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
 
-using ProjectFolder = SmallProject;
+using ProjectFolder = catalogue::SmallProject;
 
 TEST_F(ProjectFolder, HoldsTheFoldersThatTheProgramWorksIn) {
   for (const char* name : {"catalogue.sqlite", "batches", "results", "backups"})
@@ -31,7 +31,7 @@ TEST_F(ProjectFolder, TheCataloguesHeaderTellsItFromOtherDatabases) {
 }
 
 TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
-  const SherdRow sherd = numbered(context12);
+  const store::SherdRow sherd = numbered(context12);
   project_.reset();
   Result<Project> again = Project::open(folder_.path() / "project");
   ASSERT_TRUE(again) << again.error().sentence();
@@ -42,7 +42,7 @@ TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
 
 TEST_F(ProjectFolder, AFolderThatHoldsSomethingIsNotTaken) {
   std::ofstream(folder_.path() / "file") << "x";
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
   const Result<Project> made = Project::create(folder_.path(), record);
   ASSERT_FALSE(made);
@@ -50,7 +50,7 @@ TEST_F(ProjectFolder, AFolderThatHoldsSomethingIsNotTaken) {
 }
 
 TEST_F(ProjectFolder, ACodeOrANumberingThatCannotBeUsedLeavesNoFolderBehind) {
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "too long a code";
   EXPECT_FALSE(Project::create(folder_.path() / "new", record));
   EXPECT_FALSE(fs::exists(folder_.path() / "new"));
@@ -61,7 +61,7 @@ TEST_F(ProjectFolder, ACodeOrANumberingThatCannotBeUsedLeavesNoFolderBehind) {
 }
 
 TEST_F(ProjectFolder, AnyFolderNameWillDo) {
-  ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
   for (const char* name : {"mit Leerzeichen", "Գառնի %20 #1", "مشروع"}) {
     const Result<Project> made = Project::create(folder_.path() / name, record);
@@ -72,8 +72,8 @@ TEST_F(ProjectFolder, AnyFolderNameWillDo) {
 
 TEST_F(ProjectFolder, ACatalogueOfANewerProgramIsRefused) {
   {
-    auto database =
-        *Database::open(project_->folder() / "catalogue.sqlite", Database::Mode::ReadWrite);
+    auto database = *store::Database::open(project_->folder() / "catalogue.sqlite",
+                                           store::Database::Mode::ReadWrite);
     database->script("PRAGMA user_version = 99");
   }
   const Result<Project> newer = Project::open(project_->folder());
@@ -100,7 +100,7 @@ TEST_F(ProjectFolder, ABackupIsReadBackAndHoldsEverything) {
   Result<Project> restored = Project::open(folder_.path() / "restored");
   ASSERT_TRUE(restored) << restored.error().sentence();
   EXPECT_TRUE(restored->catalogue().checkIntegrity());
-  const SherdRow row = *restored->catalogue().sherdByNumber("ARM1-T3-0012-0001");
+  const store::SherdRow row = *restored->catalogue().sherdByNumber("ARM1-T3-0012-0001");
   EXPECT_TRUE(row);
   EXPECT_EQ(restored->catalogue().history(row)->size(), catalogue().history(row)->size());
 }
@@ -148,9 +148,9 @@ TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
 }
 
 TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {
-  const Result<Catalogue> other = project_->connect();
+  const Result<catalogue::Catalogue> other = project_->connect();
   ASSERT_TRUE(other) << other.error().sentence();
-  const SherdRow sherd = numbered(context12);
+  const store::SherdRow sherd = numbered(context12);
   EXPECT_EQ(other->sherd(sherd)->number, "ARM1-T3-0012-0001");
 }
 
@@ -178,26 +178,26 @@ TEST_F(ProjectFolder, ANewProjectsWordsHaveLabelsThatAreToldApart) {
     ASSERT_GE(terms->size(), 3u) << name;
     for (const char* language : {"de", "el", "es", "fr", "hy", "tr"}) {
       std::set<std::string> labels;
-      for (const Term& term : *terms) {
+      for (const records::Term& term : *terms) {
         ASSERT_TRUE(term.labels.contains(language)) << name << " " << term.term;
-        EXPECT_TRUE(labels.insert(uniqueKey(term.labels.at(language))).second)
+        EXPECT_TRUE(labels.insert(store::uniqueKey(term.labels.at(language))).second)
             << name << " " << term.labels.at(language);
-        for (const Term& other : *terms)  // nor is it another one's own word
+        for (const records::Term& other : *terms)  // nor is it another one's own word
           EXPECT_TRUE(&other == &term ||
-                      uniqueKey(other.term) != uniqueKey(term.labels.at(language)))
+                      store::uniqueKey(other.term) != store::uniqueKey(term.labels.at(language)))
               << name << " " << term.labels.at(language);
       }
     }
   }
-  const SherdRow sherd = draft(context12);
+  const store::SherdRow sherd = draft(context12);
   ASSERT_TRUE(set(sherd, "part", "Bord; col"));
   EXPECT_EQ(valueOf(sherd, "part"), "rim; neck");
 }
 
 TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
-  const SherdRow sherd = draft(context12);
+  const store::SherdRow sherd = draft(context12);
   ASSERT_TRUE(set(sherd, "firing", "reduced"));
-  std::vector<Term> terms = *catalogue().vocabulary("firing");
+  std::vector<records::Term> terms = *catalogue().vocabulary("firing");
   ASSERT_EQ(terms.size(), 3u);
   const Result<void> without = catalogue().setVocabulary("firing", {terms[0]}, anna);
   ASSERT_FALSE(without);
@@ -210,4 +210,4 @@ TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

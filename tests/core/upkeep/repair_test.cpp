@@ -10,37 +10,39 @@
 #include "tests/core/catalogue/flipped_bits.h"
 #include "tests/core/catalogue/small_project.h"
 
-namespace ostraka::catalogue {
+namespace ostraka::upkeep {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Repairing : public SmallProject {
+class Repairing : public catalogue::SmallProject {
  protected:
   fs::path folder() const { return folder_.path() / "project"; }
   fs::path file() const { return folder() / "catalogue.sqlite"; }
   RepairReport repaired() {
-    return valueIn(repairCatalogue(folder(), quiet_, {}, [this] { return now_ms += 1; }));
+    return catalogue::valueIn(
+        repairCatalogue(folder(), quiet_, {}, [this] { return now_ms += 1; }));
   }
   // Pages whose bytes hold all these texts are overwritten as a failing disk does it.
   int destroyPagesWith(const std::vector<std::string>& texts) {
-    std::string bytes = bytesOf(file());
+    std::string bytes = catalogue::bytesOf(file());
     std::mt19937_64 random(7);
     int destroyed = 0;
-    for (std::size_t at = 0; at < bytes.size(); at += kPageBytes)
+    for (std::size_t at = 0; at < bytes.size(); at += store::kPageBytes)
       if (std::all_of(texts.begin(), texts.end(),
-                      [page = bytes.substr(at, kPageBytes)](const std::string& text) {
+                      [page = bytes.substr(at, store::kPageBytes)](const std::string& text) {
                         return page.find(text) != std::string::npos;
                       })) {
-        for (std::size_t i = 0; i < kPageBytes; ++i) bytes[at + i] = static_cast<char>(random());
+        for (std::size_t i = 0; i < store::kPageBytes; ++i)
+          bytes[at + i] = static_cast<char>(random());
         ++destroyed;
       }
-    writeBytes(file(), bytes);
+    catalogue::writeBytes(file(), bytes);
     return destroyed;
   }
   void fill(int sherds) {
     for (int i = 0; i < sherds; ++i) {
-      const SherdRow sherd = numbered(context12);
+      const store::SherdRow sherd = numbered(context12);
       EXPECT_TRUE(set(sherd, "ware", "grey"));
       EXPECT_TRUE(set(sherd, "weight_g", std::to_string(5 + i)));
       EXPECT_TRUE(set(sherd, "note", std::string(60, 'n') + std::to_string(i)));
@@ -52,56 +54,56 @@ class Repairing : public SmallProject {
 TEST_F(Repairing, AWholeCatalogueIsLeftAsItIs) {
   fill(5);
   project_.reset();
-  const std::string before = bytesOf(file());
+  const std::string before = catalogue::bytesOf(file());
   const RepairReport report = repaired();
   EXPECT_TRUE(report.damaged.empty());
-  EXPECT_EQ(bytesOf(file()), before);
+  EXPECT_EQ(catalogue::bytesOf(file()), before);
 }
 
 TEST_F(Repairing, AFlippedBitIsTurnedBackWithoutAnyBackup) {
   fill(30);
   project_.reset();
-  const std::string content = *contentOf(folder());
-  std::string bytes = bytesOf(file());
-  for (const std::size_t page : {1, 4, 9}) bytes[page * kPageBytes + 3000] ^= 16;
-  writeBytes(file(), bytes);
-  ASSERT_FALSE(contentOf(folder()));
+  const std::string content = *catalogue::contentOf(folder());
+  std::string bytes = catalogue::bytesOf(file());
+  for (const std::size_t page : {1, 4, 9}) bytes[page * store::kPageBytes + 3000] ^= 16;
+  catalogue::writeBytes(file(), bytes);
+  ASSERT_FALSE(catalogue::contentOf(folder()));
   const RepairReport report = repaired();
   EXPECT_EQ(report.pages_by_bit, 3);
   EXPECT_TRUE(report.backup.empty());
   EXPECT_TRUE(report.rows.empty());
-  EXPECT_EQ(*contentOf(folder()), content);
-  EXPECT_EQ(bytesOf(report.damaged), bytes) << "the damaged file is kept";
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
+  EXPECT_EQ(catalogue::bytesOf(report.damaged), bytes) << "the damaged file is kept";
 }
 
 TEST_F(Repairing, RowsOfADestroyedPageComeFromTheBackupAndLaterChangesFromTheHistory) {
   fill(60);
-  const SherdRow changed = *catalogue().sherdByNumber("ARM1-T3-0012-0020");
+  const store::SherdRow changed = *catalogue().sherdByNumber("ARM1-T3-0012-0020");
   ASSERT_TRUE(set(changed, "vessel", "V20"));
   ASSERT_TRUE(project_->backUp());
   ASSERT_TRUE(set(changed, "ware", "red slipped"));
   ASSERT_TRUE(set(changed, "weight_g", "77.5"));
-  const SherdRow untouched = numbered(context13);
+  const store::SherdRow untouched = numbered(context13);
   project_.reset();
   const std::string uuid = [&] {
-    const Project open = valueIn(Project::open(folder()));
+    const Project open = catalogue::valueIn(Project::open(folder()));
     return open.catalogue().sherd(changed)->id;
   }();
   // The page with the sherd's own row, not those of its history.
   ASSERT_EQ(destroyPagesWith({"V20", uuid}), 1);
-  ASSERT_FALSE(contentOf(folder()));
+  ASSERT_FALSE(catalogue::contentOf(folder()));
   const RepairReport report = repaired();
   EXPECT_GT(report.pages_lost, 0);
   EXPECT_FALSE(report.all_from_backup);
-  const Result<std::string> content = contentOf(folder());
+  const Result<std::string> content = catalogue::contentOf(folder());
   ASSERT_TRUE(content) << content.error().sentence();
-  const Project open = valueIn(Project::open(folder()));
-  const SherdRecord sherd = *open.catalogue().sherd(changed);
+  const Project open = catalogue::valueIn(Project::open(folder()));
+  const records::SherdRecord sherd = *open.catalogue().sherd(changed);
   EXPECT_EQ(sherd.id, uuid);
   EXPECT_EQ(sherd.number, "ARM1-T3-0012-0020");
-  EXPECT_EQ(textOf(sherd, "vessel"), "V20");
-  EXPECT_EQ(textOf(sherd, "ware"), "red slipped") << "as the history says";
-  EXPECT_EQ(textOf(sherd, "weight_g"), "77.5");
+  EXPECT_EQ(records::textOf(sherd, "vessel"), "V20");
+  EXPECT_EQ(records::textOf(sherd, "ware"), "red slipped") << "as the history says";
+  EXPECT_EQ(records::textOf(sherd, "weight_g"), "77.5");
   EXPECT_EQ(open.catalogue().sherd(untouched)->number, "ARM1-T3-0013-0001")
       << "newer than the backup";
   EXPECT_EQ(open.catalogue().sherdRows({}, {})->size(), 61u);
@@ -120,21 +122,24 @@ TEST_F(Repairing, AnySinglePageMayBeDestroyed) {
   ASSERT_TRUE(set(*catalogue().sherdByNumber("ARM1-T3-0012-0003"), "ware", "cooking"));
   const fs::path backup = project_->backups()[0];
   project_.reset();
-  const std::string whole = bytesOf(file()), good = bytesOf(backup);
+  const std::string whole = catalogue::bytesOf(file()), good = catalogue::bytesOf(backup);
   std::mt19937_64 random(11);
-  for (std::size_t at = 0; at < whole.size(); at += kPageBytes) {
+  for (std::size_t at = 0; at < whole.size(); at += store::kPageBytes) {
     std::string bytes = whole;
-    for (std::size_t i = 0; i < kPageBytes; ++i) bytes[at + i] = static_cast<char>(random());
+    for (std::size_t i = 0; i < store::kPageBytes; ++i) bytes[at + i] = static_cast<char>(random());
     fs::remove_all(folder() / "backups");
     fs::create_directories(folder() / "backups");
-    writeBytes(backup, good);
-    writeBytes(file(), bytes);
+    catalogue::writeBytes(backup, good);
+    catalogue::writeBytes(file(), bytes);
     const Result<RepairReport> report = repairCatalogue(folder(), quiet_, {});
-    ASSERT_TRUE(report) << "page " << at / kPageBytes + 1 << ": " << report.error().sentence();
-    const Result<std::string> content = contentOf(folder());
-    ASSERT_TRUE(content) << "page " << at / kPageBytes + 1 << ": " << content.error().sentence();
-    const Project open = valueIn(Project::open(folder()));
-    EXPECT_EQ(open.catalogue().sherdRows({}, {})->size(), 30u) << "page " << at / kPageBytes + 1;
+    ASSERT_TRUE(report) << "page " << at / store::kPageBytes + 1 << ": "
+                        << report.error().sentence();
+    const Result<std::string> content = catalogue::contentOf(folder());
+    ASSERT_TRUE(content) << "page " << at / store::kPageBytes + 1 << ": "
+                         << content.error().sentence();
+    const Project open = catalogue::valueIn(Project::open(folder()));
+    EXPECT_EQ(open.catalogue().sherdRows({}, {})->size(), 30u)
+        << "page " << at / store::kPageBytes + 1;
     for (const char* part : {"-wal", "-shm"}) fs::remove(file().string() + part);
   }
 }
@@ -142,28 +147,29 @@ TEST_F(Repairing, AnySinglePageMayBeDestroyed) {
 TEST_F(Repairing, AnEmptiedCatalogueIsMadeFromTheNewestBackupThatIsWhole) {
   fill(10);
   ASSERT_TRUE(project_->backUp());
-  const std::string content = *contentOf(catalogue().database());
+  const std::string content = *catalogue::contentOf(catalogue().database());
   fill(1);
   const fs::path newest = *project_->backUp();
   project_.reset();
   fs::resize_file(file(), 0);
-  writeBytes(newest, std::string(8192, 'x'));
+  catalogue::writeBytes(newest, std::string(8192, 'x'));
   const RepairReport report = repaired();
   EXPECT_TRUE(report.all_from_backup);
   EXPECT_NE(report.backup, newest);
-  EXPECT_EQ(*contentOf(folder()), content);
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
 }
 
 TEST_F(Repairing, WithoutAWholeBackupNothingIsChanged) {
   fill(5);
   project_.reset();
   fs::remove_all(folder() / "backups");
-  const std::string bytes = bytesOf(file()).substr(0, 3 * kPageBytes) + std::string(20000, 'x');
-  writeBytes(file(), bytes);
+  const std::string bytes =
+      catalogue::bytesOf(file()).substr(0, 3 * store::kPageBytes) + std::string(20000, 'x');
+  catalogue::writeBytes(file(), bytes);
   const Result<RepairReport> report = repairCatalogue(folder(), quiet_, {});
   ASSERT_FALSE(report);
   EXPECT_NE(report.error().what.find("none of its backups is intact"), std::string::npos);
-  EXPECT_EQ(bytesOf(file()), bytes);
+  EXPECT_EQ(catalogue::bytesOf(file()), bytes);
   for (const auto& entry : fs::directory_iterator(folder()))
     EXPECT_EQ(entry.path().string().find(".partial"), std::string::npos) << entry.path();
 }
@@ -192,4 +198,4 @@ TEST_F(Repairing, AProjectThatAnotherProgramHasOpenIsNotRepaired) {
 }
 
 }  // namespace
-}  // namespace ostraka::catalogue
+}  // namespace ostraka::upkeep

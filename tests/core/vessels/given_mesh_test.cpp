@@ -7,7 +7,7 @@
 
 #include "cloud/ply.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST_F(GivenMesh, IsRefusedWhenItIsOpenInsideOutOrOfAnImpossibleSize) {
 }
 
 }  // namespace
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

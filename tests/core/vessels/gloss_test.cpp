@@ -7,29 +7,29 @@
 #include "vessels/clay.h"
 #include "virtualrig/walk_around.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
-Lighting oneLamp(double half_width) {
-  Lighting lighting;
-  for (Light& light : lighting.lights)
-    light = softbox(0, 1, 500, half_width, half_width, Eigen::Vector3f::Zero());
+rendering::Lighting oneLamp(double half_width) {
+  rendering::Lighting lighting;
+  for (rendering::Light& light : lighting.lights)
+    light = rendering::softbox(0, 1, 500, half_width, half_width, Eigen::Vector3f::Zero());
   lighting.lights[0].strength = Eigen::Vector3f::Constant(0.6f);
   lighting.sky = Eigen::Vector3f::Zero();
   return lighting;
 }
 
 // Light that comes to an eye at this elevation, opposite of the lamp, which stands at one radian.
-float seen(const Lighting& lighting, double elevation, float roughness) {
+float seen(const rendering::Lighting& lighting, double elevation, float roughness) {
   const Eigen::Vector3f eye(static_cast<float>(-std::cos(elevation)), 0,
                             static_cast<float>(std::sin(elevation)));
-  return highlights(lighting, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), eye, {1, 1, 1},
-                    {1, roughness})
+  return rendering::highlights(lighting, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), eye,
+                               {1, 1, 1}, {1, roughness})
       .y();
 }
 
 TEST(Gloss, ALampIsMirroredWhereItsRayLeavesAndFadesBesideIt) {
-  const Lighting lighting = oneLamp(20);
+  const rendering::Lighting lighting = oneLamp(20);
   const float peak = seen(lighting, 1, 0.15f);
   EXPECT_GT(peak, 5 * seen(lighting, 0.4, 0.15f));
   EXPECT_GT(peak, 5 * seen(lighting, 1.5, 0.15f));
@@ -70,25 +70,28 @@ TEST(Clay, WidenedOnesAreShinyAsOftenAsAskedAndOftenNeutral) {
   EXPECT_GT(white, 40);
 }
 
-TEST(PlateSurface, IsOfFourColoursFromDarkToWhite) {
+TEST(rendering::PlateSurface, IsOfFourColoursFromDarkToWhite) {
   float last = 0;
-  for (const PlateColor color :
-       {PlateColor::Dark, PlateColor::Grey, PlateColor::Light, PlateColor::White}) {
-    const float felt = PlateSurface(color, 1).felt().y();
+  for (const rendering::PlateColor color :
+       {rendering::PlateColor::Dark, rendering::PlateColor::Grey, rendering::PlateColor::Light,
+        rendering::PlateColor::White}) {
+    const float felt = rendering::PlateSurface(color, 1).felt().y();
     EXPECT_GT(felt, 1.5f * last);
     EXPECT_LT(felt, 0.72f);  // marker paper's
     last = felt;
   }
 }
 
-TEST(Lighting, EveryKindOfLightReachesTheSheet) {
-  for (const LightKind kind :
-       {LightKind::Window, LightKind::Lamp, LightKind::Flash, LightKind::Overcast, LightKind::Sun})
+TEST(rendering::Lighting, EveryKindOfLightReachesTheSheet) {
+  for (const rendering::LightKind kind :
+       {rendering::LightKind::Window, rendering::LightKind::Lamp, rendering::LightKind::Flash,
+        rendering::LightKind::Overcast, rendering::LightKind::Sun})
     for (int seed = 0; seed < 20; ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
-      const Lighting lighting = makeLighting(kind, random);
-      const Eigen::Vector3f light = lighting.sky + directLight(lighting, Eigen::Vector3f::Zero(),
-                                                               Eigen::Vector3f::UnitZ(), {1, 1, 1});
+      const rendering::Lighting lighting = makeLighting(kind, random);
+      const Eigen::Vector3f light =
+          lighting.sky + rendering::directLight(lighting, Eigen::Vector3f::Zero(),
+                                                Eigen::Vector3f::UnitZ(), {1, 1, 1});
       EXPECT_GT(light.minCoeff(), 0.25f);
       EXPECT_LT(light.maxCoeff(), 1.2f);
       // White balance has something to do, and not too much: lamps are warmest.
@@ -96,18 +99,20 @@ TEST(Lighting, EveryKindOfLightReachesTheSheet) {
     }
 }
 
-TEST(Lighting, AFlashGoesWithTheCamera) {
+TEST(rendering::Lighting, AFlashGoesWithTheCamera) {
   Random random(1);
-  const Lighting lighting = makeLighting(LightKind::Flash, random);
-  HandHeldOptions hand;
+  const rendering::Lighting lighting = makeLighting(rendering::LightKind::Flash, random);
+  rendering::HandHeldOptions hand;
   hand.photographs = 3;
-  const CameraModel model = cameraModel(CameraKind::Phone, random);
-  for (const FreeShot& shot : walkAround(hand, model, 640, random)) {
+  const virtualrig::CameraModel model =
+      virtualrig::cameraModel(rendering::CameraKind::Phone, random);
+  for (const virtualrig::FreeShot& shot : virtualrig::walkAround(hand, model, 640, random)) {
     const Eigen::Vector3d eye = shot.camera_from_plate.inverse().translation();
-    EXPECT_NEAR((withFlash(lighting, shot.camera_from_plate).lights[0].centre - eye).norm(), 15,
-                0.1);
+    EXPECT_NEAR(
+        (virtualrig::withFlash(lighting, shot.camera_from_plate).lights[0].centre - eye).norm(), 15,
+        0.1);
   }
 }
 
 }  // namespace
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -4,7 +4,7 @@
 
 #include "vessels/sherd.h"
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 // Lowest height of the body when tilted by a small angle about an axis through the lowest contact:
@@ -50,4 +50,4 @@ TEST(Rest, ASherdTouchesThePlateAndIsStableOnEitherSide) {
 }
 
 }  // namespace
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

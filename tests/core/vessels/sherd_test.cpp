@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace ostraka::virtualrig {
+namespace ostraka::vessels {
 namespace {
 
 VirtualSherd piece(SherdPart part, double radius_mm, std::uint64_t relief_seed = 4) {
@@ -96,4 +96,4 @@ TEST(Sherd, LookAlikesShareTheOutlineButNotTheBreak) {
 }
 
 }  // namespace
-}  // namespace ostraka::virtualrig
+}  // namespace ostraka::vessels

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 VirtualRig standardRig() {
-  Random random(5);
+  vessels::Random random(5);
   return makeRig(800, 8, random);
 }
 
@@ -25,7 +25,7 @@ VirtualRig without(VirtualRig rig, int camera) {
   return rig;
 }
 
-std::vector<VirtualSherd> twoSherds() {
+std::vector<vessels::VirtualSherd> twoSherds() {
   SimulateOptions options;
   options.seed = 11;
   options.sherds = 2;

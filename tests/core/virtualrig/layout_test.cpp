@@ -9,8 +9,8 @@ namespace ostraka::virtualrig {
 namespace {
 
 // Smallest distance between the vertices of two sherds as they lie.
-double gapBetween(const VirtualSherd& a, const Eigen::Isometry3d& pose_a, const VirtualSherd& b,
-                  const Eigen::Isometry3d& pose_b) {
+double gapBetween(const vessels::VirtualSherd& a, const Eigen::Isometry3d& pose_a,
+                  const vessels::VirtualSherd& b, const Eigen::Isometry3d& pose_b) {
   std::vector<Eigen::Vector3f> points;
   for (const Eigen::Vector3f& v : a.mesh.vertices)
     points.push_back((pose_a * v.cast<double>()).cast<float>());
@@ -30,7 +30,7 @@ TEST(Layout, LaysTouchingPairsAgainstEachOtherAndAllOthersApart) {
   options.output = "unused";
   options.threads = 1;
   const auto sherds = *makeSherds(options);
-  Random random(9);
+  vessels::Random random(9);
   const Result<Layout> layout = layOut(sherds, options, random);
   ASSERT_TRUE(layout) << layout.error().what;
   for (const auto* poses : {&layout->front, &layout->back})
@@ -50,9 +50,9 @@ TEST(Layout, RefusesASherdLargerThanThePlate) {
   options.sherds = 1;
   options.output = "unused";
   options.threads = 1;
-  std::vector<VirtualSherd> sherds = *makeSherds(options);
+  std::vector<vessels::VirtualSherd> sherds = *makeSherds(options);
   for (Eigen::Vector3f& v : sherds[0].mesh.vertices) v *= 6;  // some 40 cm on a plate of 33
-  Random random(9);
+  vessels::Random random(9);
   const Result<Layout> layout = layOut(sherds, options, random);
   ASSERT_FALSE(layout);
   EXPECT_EQ(layout.error().code, ErrorCode::UnusableInput);

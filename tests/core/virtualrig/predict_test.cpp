@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 // 1120 pixels wide, 0.34 mm a pixel, cameras at 25, 44 and 64 degrees.
 VirtualRig designedRig() {
-  Random random(5);
+  vessels::Random random(5);
   return makeRig(1120, 4, random);
 }
 

@@ -211,7 +211,7 @@ TEST_F(BatchByHand, ThingsBesideTheSherdsAreSeenAndAreNoSherds) {
 TEST_F(BatchByHand, ASheetThatRisesHighIsPhotographedToo) {
   SimulateOptions options = small(root / "raised");
   options.width = 320;
-  options.hand_held->table = TableKind::CuttingMat;
+  options.hand_held->table = rendering::TableKind::CuttingMat;
   options.hand_held->bend_mm = 12;
   QuietProgress quiet;
   ASSERT_TRUE(simulateBatch(options, quiet, {}));
@@ -225,10 +225,10 @@ TEST_F(BatchByHand, ASheetThatRisesHighIsPhotographedToo) {
 }
 
 TEST(WalkAround, StaysWhereAPersonWithATelephoneStands) {
-  HandHeldOptions hand;
+  rendering::HandHeldOptions hand;
   hand.photographs = 200;
-  Random random(5);
-  const CameraModel model = cameraModel(CameraKind::Phone, random);
+  vessels::Random random(5);
+  const CameraModel model = cameraModel(rendering::CameraKind::Phone, random);
   const std::vector<FreeShot> shots = walkAround(hand, model, 1600, random);
   ASSERT_EQ(shots.size(), 400u);
   double sum = 0, squares = 0, rolled = 0, drift = 0;
@@ -260,24 +260,24 @@ TEST(WalkAround, StaysWhereAPersonWithATelephoneStands) {
 }
 
 TEST(WalkAround, ACameraOfALongerLensStandsFartherAway) {
-  HandHeldOptions hand;
+  rendering::HandHeldOptions hand;
   hand.photographs = 20;
-  Random random(6), other(6);
-  const auto nearest = [&](const CameraModel& model, Random& from) {
+  vessels::Random random(6), other(6);
+  const auto nearest = [&](const CameraModel& model, vessels::Random& from) {
     double least = 1e9;
     for (const FreeShot& shot : walkAround(hand, model, 1600, from))
       least = std::min(least, shot.camera_from_plate.inverse().translation().norm());
     return least;
   };
-  const CameraModel phone = cameraModel(CameraKind::Phone, random),
-                    dslr = cameraModel(CameraKind::Dslr, other);
+  const CameraModel phone = cameraModel(rendering::CameraKind::Phone, random),
+                    dslr = cameraModel(rendering::CameraKind::Dslr, other);
   EXPECT_NEAR(nearest(dslr, other) / nearest(phone, random),
               dslr.focal_per_width / phone.focal_per_width, 0.01);
 }
 
 TEST(Sheet, RisesByItsBendAndSherdsLieOnIt) {
-  Random random(3);
-  const SheetSurface sheet(SheetSize::A4, 3, random);
+  vessels::Random random(3);
+  const rendering::SheetSurface sheet(rendering::SheetSize::A4, 3, random);
   float low = 1e9f, high = -1e9f;
   for (float x = -148; x <= 148; x += 4)
     for (float y = -104; y <= 104; y += 4) {
@@ -295,7 +295,7 @@ TEST(Sheet, RisesByItsBendAndSherdsLieOnIt) {
     for (float y = -20; y <= 20; ++y) body.emplace_back(x, y, 0.f);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(60, -30, 0);
-  const Eigen::Isometry3d lying = restingOn(sheet, pose, body);
+  const Eigen::Isometry3d lying = rendering::restingOn(sheet, pose, body);
   float gap = 1e9f, widest = 0;
   for (const Eigen::Vector3f& v : body) {
     const Eigen::Vector3f p = (lying * v.cast<double>()).cast<float>();
@@ -307,8 +307,9 @@ TEST(Sheet, RisesByItsBendAndSherdsLieOnIt) {
 }
 
 TEST(Sheet, OfAnySizeHasItsMarkersOnThePaper) {
-  for (const SheetSize size : {SheetSize::A4, SheetSize::A3, SheetSize::Letter}) {
-    const batch::Plate plate = sheetPlate(size);
+  for (const rendering::SheetSize size :
+       {rendering::SheetSize::A4, rendering::SheetSize::A3, rendering::SheetSize::Letter}) {
+    const batch::Plate plate = rendering::sheetPlate(size);
     EXPECT_GE(plate.markers.size(), 30u);
     EXPECT_LE(plate.markers.size(), 100u);  // of DICT_5X5_100
     for (std::size_t i = 0; i < plate.markers.size(); ++i) {
@@ -319,7 +320,7 @@ TEST(Sheet, OfAnySizeHasItsMarkersOnThePaper) {
   }
 }
 
-TEST(HandHeldOptions, NameTheFieldThatCannotBe) {
+TEST(rendering::HandHeldOptions, NameTheFieldThatCannotBe) {
   SimulateOptions options = small("x");
   options.hand_held->photographs = 2;
   EXPECT_NE(options.check().error().what.find("hand_held"), std::string::npos);

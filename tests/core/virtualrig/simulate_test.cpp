@@ -191,7 +191,7 @@ TEST_F(SimulatedBatch, IsBlurredByEnoughToBeToldInSmallPicturesToo) {
   };
   const double sharp = std::min(edges("cam1_pos00.jpg"), edges("cam1_pos01.jpg"));
   ASSERT_GT(sharp, 0);
-  const pipeline::PhotoCheckOptions check;
+  const checks::PhotoCheckOptions check;
   for (const char* file : {"cam1_pos02.jpg", "cam1_pos03.jpg"}) {
     EXPECT_GT(edges(file), check.most_edge_growth * sharp) << file;
     EXPECT_GT(edges(file), sharp + check.wide_edge_px) << file;

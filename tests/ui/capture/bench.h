@@ -12,16 +12,16 @@ struct Bench {
       : session(projectIn(folder), folder, jobs) {
     wizard.setSession(&session);
   }
-  static std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
-    catalogue::ProjectRecord record;
+  static std::shared_ptr<upkeep::Project> projectIn(const std::filesystem::path& folder) {
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
-    auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
-                                                      : catalogue::Project::create(folder, record);
+    auto made = upkeep::Project::isProject(folder) ? upkeep::Project::open(folder)
+                                                   : upkeep::Project::create(folder, record);
     if (!made) qFatal("%s", made.error().sentence().c_str());
-    return std::make_shared<catalogue::Project>(std::move(*made));
+    return std::make_shared<upkeep::Project>(std::move(*made));
   }
-  catalogue::BatchRecord batch() { return session.project().catalogue().batches()->front(); }
+  records::BatchRecord batch() { return session.project().catalogue().batches()->front(); }
 
   FakeRig rig;
   ProjectSession session;

@@ -31,14 +31,14 @@ class CaptureImportTest : public QObject {
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     disk_ = std::make_unique<QTemporaryDir>();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
     const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = catalogue::Project::create(folder, record);
+    auto project = upkeep::Project::create(folder, record);
     QVERIFY(project.has_value());
     session_ = std::make_unique<ProjectSession>(
-        std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
+        std::make_shared<upkeep::Project>(std::move(*project)), folder, jobs_);
     wizard_ = std::make_unique<CaptureWizard>();
     screen_ = std::make_unique<CaptureScreen>(wizard_.get());
     screen_->resize(1200, 640);
@@ -75,7 +75,7 @@ class CaptureImportTest : public QObject {
     QTRY_COMPARE(imported.count(), 1);
     const auto batch = session_->project().catalogue().batchByNumber("B0001");
     QVERIFY(batch.has_value());
-    QCOMPARE(batch->state, catalogue::BatchState::Queued);
+    QCOMPARE(batch->state, records::BatchState::Queued);
   }
 
   void aSeriesWithoutAPauseIsDividedByAPersonOrImportedAsOneSide() {

@@ -9,7 +9,7 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
-using catalogue::BatchState;
+using records::BatchState;
 
 namespace {
 

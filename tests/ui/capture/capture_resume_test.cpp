@@ -12,7 +12,7 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
-using catalogue::BatchState;
+using records::BatchState;
 
 class CaptureResumeTest : public QObject {
   Q_OBJECT
@@ -83,7 +83,7 @@ class CaptureResumeTest : public QObject {
     bench.wizard.setRig(source);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QCOMPARE(bench.rig.opened_for, 1);
-    catalogue::BatchRecord imported;
+    records::BatchRecord imported;
     imported.state = BatchState::Queued;
     QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
     bench.session.tellBatchChanged("B0001");
@@ -182,7 +182,7 @@ class CaptureResumeTest : public QObject {
   void ofTwoUnfinishedBatchesTheOtherOneWaits() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    catalogue::BatchRecord other;
+    records::BatchRecord other;
     other.state = BatchState::Front;
     QVERIFY(bench.session.project().catalogue().addBatch(other, {}).has_value());
     bench.wizard.setRig(sourceOf(bench.rig));
@@ -261,7 +261,7 @@ class CaptureResumeTest : public QObject {
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    catalogue::Database& database = bench.session.project().catalogue().database();
+    store::Database& database = bench.session.project().catalogue().database();
     database
         .sql(
             "CREATE TEMP TRIGGER full BEFORE UPDATE ON batch BEGIN SELECT RAISE(ABORT, 'full'); "
@@ -405,7 +405,7 @@ class CaptureResumeTest : public QObject {
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-      catalogue::BatchRecord imported;
+      records::BatchRecord imported;
       imported.state = BatchState::Queued;
       QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
     }

@@ -32,14 +32,14 @@ class CaptureRigTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
     const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = catalogue::Project::create(folder, record);
+    auto project = upkeep::Project::create(folder, record);
     QVERIFY(project.has_value());
     session_ = std::make_unique<ProjectSession>(
-        std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
+        std::make_shared<upkeep::Project>(std::move(*project)), folder, jobs_);
     rig_ = std::make_unique<FakeRig>();
     wizard_ = std::make_unique<CaptureWizard>();
     screen_ = std::make_unique<CaptureScreen>(wizard_.get());

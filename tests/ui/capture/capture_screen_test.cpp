@@ -37,14 +37,14 @@ class CaptureScreenTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
     const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = catalogue::Project::create(folder, record);
+    auto project = upkeep::Project::create(folder, record);
     QVERIFY(project.has_value());
     session_ = std::make_unique<ProjectSession>(
-        std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
+        std::make_shared<upkeep::Project>(std::move(*project)), folder, jobs_);
     rig_ = std::make_unique<FakeRig>();
     wizard_ = std::make_unique<CaptureWizard>();
     screen_ = std::make_unique<CaptureScreen>(wizard_.get());
@@ -378,7 +378,7 @@ class CaptureScreenTest : public QObject {
 
   void numbersTypedOnTheFrontsAreKeptWithTheBatch() {
     auto& rows = session_->project().catalogue();
-    catalogue::BatchRecord batch;
+    records::BatchRecord batch;
     const auto bag = bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {});
     QVERIFY(bag.has_value());
     batch.bags = {{*bag}};
@@ -442,7 +442,7 @@ class CaptureScreenTest : public QObject {
     QCOMPARE(numbers.of(0), QString());
     const auto before = rows.addBatch({}, {});
     QVERIFY(before.has_value());
-    catalogue::SherdRecord other;
+    records::SherdRecord other;
     other.batch = *before;
     other.context = rows.contexts()->front().row;
     other.number = "OLD-8";

@@ -14,7 +14,7 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
-using catalogue::BatchState;
+using records::BatchState;
 
 class CaptureTypingTest : public QObject {
   Q_OBJECT
@@ -83,7 +83,7 @@ class CaptureTypingTest : public QObject {
     QTRY_VERIFY(line->isVisible());
     line->setFocus();
     QTest::keyClicks(line, "7");
-    const catalogue::BatchRow batch = bench_->batch().row;
+    const store::BatchRow batch = bench_->batch().row;
     screen_->closeProject();
     const auto typed = catalogue::typedNumbers(rows(), batch);
     QVERIFY(typed.has_value());
@@ -132,7 +132,7 @@ class CaptureTypingTest : public QObject {
  private:
   RigSource sourceWithPicture() {
     RigSource source = sourceOf(bench_->rig);
-    source.open = [open = source.open](int batch, const capture::AskPerson& ask,
+    source.open = [open = source.open](int batch, const devices::AskPerson& ask,
                                        std::stop_token stop) {
       auto devices = open(batch, ask, stop);
       if (devices) (*devices)->plate = capture::testing::flatPlate();

@@ -6,7 +6,7 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
-using catalogue::BatchState;
+using records::BatchState;
 
 class CaptureWizardTest : public QObject {
   Q_OBJECT

@@ -26,7 +26,7 @@ struct FakeRig {
   std::string preview;                      ///< what the cameras see; empty: no live picture
 };
 
-class FakeTable final : public capture::Turntable {
+class FakeTable final : public devices::Turntable {
  public:
   explicit FakeTable(FakeRig& rig) : rig_(rig) {}
   std::string name() const override { return "a table"; }
@@ -42,15 +42,15 @@ class FakeTable final : public capture::Turntable {
   FakeRig& rig_;
 };
 
-class FakeCamera final : public capture::Camera {
+class FakeCamera final : public devices::Camera {
  public:
   explicit FakeCamera(FakeRig& rig) : rig_(rig) {}
-  capture::CameraId id() const override { return {"folder", "a camera", "1", ""}; }
-  Result<std::vector<capture::CameraSetting>> settings() override {
-    return std::vector<capture::CameraSetting>();
+  devices::CameraId id() const override { return {"folder", "a camera", "1", ""}; }
+  Result<std::vector<devices::CameraSetting>> settings() override {
+    return std::vector<devices::CameraSetting>();
   }
-  Result<capture::CameraSetting> set(const std::string&, const std::string&) override {
-    return capture::CameraSetting();
+  Result<devices::CameraSetting> set(const std::string&, const std::string&) override {
+    return devices::CameraSetting();
   }
   Result<std::string> preview(std::stop_token) override {
     if (!rig_.preview.empty()) return rig_.preview;
@@ -58,8 +58,8 @@ class FakeCamera final : public capture::Camera {
   }
   Result<void> getReady(std::stop_token) override { return {}; }
   Result<void> trigger() override { return {}; }
-  Result<std::vector<capture::CameraFile>> fetch(double, std::stop_token) override {
-    return std::vector<capture::CameraFile>();
+  Result<std::vector<devices::CameraFile>> fetch(double, std::stop_token) override {
+    return std::vector<devices::CameraFile>();
   }
   Result<void> reopen(std::stop_token) override { return {}; }
   Result<void> close() override { return {}; }
@@ -71,7 +71,7 @@ class FakeCamera final : public capture::Camera {
 inline RigSource sourceOf(FakeRig& rig) {
   RigSource source;
   source.words = QStringLiteral("ready");
-  source.open = [&rig](int batch, const capture::AskPerson& ask,
+  source.open = [&rig](int batch, const devices::AskPerson& ask,
                        std::stop_token stop) -> Result<std::shared_ptr<capture::RigDevices>> {
     ++rig.opened;
     rig.opened_for = batch;

@@ -20,13 +20,13 @@ class ImportTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
-    auto project = catalogue::Project::create(path("project"), record);
+    auto project = upkeep::Project::create(path("project"), record);
     QVERIFY(project.has_value());
     session_ = std::make_unique<ProjectSession>(
-        std::make_shared<catalogue::Project>(std::move(*project)), path("project"), jobs_);
+        std::make_shared<upkeep::Project>(std::move(*project)), path("project"), jobs_);
   }
 
   void scansBecomeABatchInTheQueueAndTheOriginalsStay() {
@@ -40,8 +40,8 @@ class ImportTest : public QObject {
     QTRY_COMPARE(imported.count(), 1);
     const auto batches = session_->project().catalogue().batches();
     QCOMPARE(batches->size(), std::size_t{1});
-    const catalogue::BatchRecord& batch = batches->front();
-    QCOMPARE(batch.state, catalogue::BatchState::Queued);
+    const records::BatchRecord& batch = batches->front();
+    QCOMPARE(batch.state, records::BatchState::Queued);
     QCOMPARE(batch.bags.size(), std::size_t{1});
     QVERIFY(!batch.started_ms);  // nobody knows when it was scanned
     const auto copy = session_->project().batchFolder(batch.number);
@@ -167,7 +167,7 @@ class ImportTest : public QObject {
     QSignalSpy imported(&importer, &BatchImporter::imported);
     importer.start(QString::fromStdString(path("week").string()), ImportKind::Photographs, {});
     QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
-    const catalogue::BatchRecord batch = session_->project().catalogue().batches()->front();
+    const records::BatchRecord batch = session_->project().catalogue().batches()->front();
     const QDate day(2026, 7, 14);  // its clock is this computer's: it says no other
     QCOMPARE(batch.started_ms, QDateTime(day, QTime(9, 30, 0)).toMSecsSinceEpoch());
     QCOMPARE(batch.ended_ms, QDateTime(day, QTime(9, 30, 12)).toMSecsSinceEpoch());
@@ -302,8 +302,8 @@ class ImportTest : public QObject {
     QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
     QCOMPARE(imported[0][1].toInt(), 9);
     QCOMPARE(imported[0][2].toStringList().size(), 1);  // of the one that is no picture
-    const catalogue::BatchRecord batch = session_->project().catalogue().batches()->front();
-    QCOMPARE(batch.state, catalogue::BatchState::Queued);
+    const records::BatchRecord batch = session_->project().catalogue().batches()->front();
+    QCOMPARE(batch.state, records::BatchState::Queued);
     const auto copy = session_->project().batchFolder(batch.number);
     for (const char* file : {"front/IMG_0.jpg", "back/IMG_3.jpg", "plate.json"})
       QVERIFY2(std::filesystem::exists(copy / file), file);

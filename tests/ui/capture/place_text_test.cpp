@@ -45,11 +45,11 @@ class PlaceTextTest : public QObject {
 
   void aNewBagOfASiteWithAMarkInItsCode() {
     QTemporaryDir folder;
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
-    auto project = catalogue::Project::create(folder.filePath("p").toStdString(), record);
+    auto project = upkeep::Project::create(folder.filePath("p").toStdString(), record);
     QVERIFY(project.has_value());
-    catalogue::SiteRecord site;
+    records::SiteRecord site;
     site.code = "AR-TS";
     QVERIFY(project->catalogue().save(site, {}).has_value());
     const auto read = [&](const char* text) {
@@ -69,9 +69,9 @@ class PlaceTextTest : public QObject {
 
   void whatIsNewIsSaidBeforeItIsMade() {
     QTemporaryDir folder;
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
-    auto project = catalogue::Project::create(folder.filePath("p").toStdString(), record);
+    auto project = upkeep::Project::create(folder.filePath("p").toStdString(), record);
     QVERIFY(project.has_value());
     catalogue::Catalogue& rows = project->catalogue();
     QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {}).has_value());
@@ -87,10 +87,10 @@ class PlaceTextTest : public QObject {
 
   void theSamePlaceIsMadeOnce() {
     QTemporaryDir folder;
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
-    auto project = catalogue::Project::create(folder.filePath("p").toStdString(), record);
+    auto project = upkeep::Project::create(folder.filePath("p").toStdString(), record);
     QVERIFY(project.has_value());
     catalogue::Catalogue& rows = project->catalogue();
     const PlaceText place{"ARM1", "T3", "0012", "4"};

@@ -297,11 +297,11 @@ class CatalogueScreenTest : public CatalogueWindow {
   }
 
   void manyThatNobodyStoppedAreChangedThoughTheProjectIsClosed() {
-    std::vector<catalogue::FieldChange> changes;
-    for (const catalogue::SherdRow sherd : sample_->sherds())
+    std::vector<records::FieldChange> changes;
+    for (const store::SherdRow sherd : sample_->sherds())
       for (const char* field : {"ware", "note", "fabric"})
         changes.push_back({sherd, field, "as typed"});
-    const auto elsewhere = catalogue::Project::connect(sample_->session().folder());
+    const auto elsewhere = upkeep::Project::connect(sample_->session().folder());
     QVERIFY(elsewhere.has_value());
     elsewhere->database().sql("BEGIN IMMEDIATE").run();
     auto edits = std::make_unique<SherdEdits>(sample_->session());
@@ -381,7 +381,7 @@ class CatalogueScreenTest : public CatalogueWindow {
   void aComputedLengthHasNoFifteenDigits() {
     for (int i = 0; i < 40; ++i)  // whichever is the first row
       SampleProject::must(sample_->session().project().catalogue().change(
-          std::vector<catalogue::FieldChange>{{sample_->row(i), "length_mm", "53.929898797564384"}},
+          std::vector<records::FieldChange>{{sample_->row(i), "length_mm", "53.929898797564384"}},
           {}));
     choose(0);
     auto* field = child<QLineEdit>("field_length_mm");

@@ -188,15 +188,14 @@ class DetailsTest : public CatalogueWindow {
 
   // 7 for 72: one key of a tired hand.
   void aSlipOverAComputedLengthIsAskedAboutAndTheComputedOneIsKept() {
-    catalogue::Measurement length;
+    records::Measurement length;
     length.sherd = sample_->sherds()[0];
     length.kind = "length";
     length.unit = "mm";
     length.value = 72.39;
     length.method = "program";
     // The sample's own length is a person's; only where that is gone the computed one stands.
-    const catalogue::FieldChange clear{length.sherd, "length_mm", "",
-                                       catalogue::Confirmation::Given};
+    const records::FieldChange clear{length.sherd, "length_mm", "", records::Confirmation::Given};
     QVERIFY(sample_->catalogue().change(std::span(&clear, 1), {}).has_value());
     QVERIFY(sample_->catalogue().measure(length, {}).has_value());
     choose(0);
@@ -328,12 +327,12 @@ class DetailsTest : public CatalogueWindow {
 
  private:
   void putIntoBag4(const std::vector<int>& sherds) {
-    catalogue::BagRecord bag;
+    records::BagRecord bag;
     bag.context = SampleProject::must(sample_->catalogue().contextByPlace("ARM1", "T3", "0012"));
     bag.number = "4";
     SampleProject::must(sample_->catalogue().save(bag, {}));
     for (const int sherd : sherds) {
-      const catalogue::FieldChange into{sample_->row(sherd), "bag", "4"};
+      const records::FieldChange into{sample_->row(sherd), "bag", "4"};
       SampleProject::must(sample_->catalogue().change(std::span(&into, 1), {}));
     }
   }

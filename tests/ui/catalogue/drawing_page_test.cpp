@@ -37,7 +37,7 @@ class DrawingPageTest : public QObject {
     return found;
   }
   void show(std::vector<int> sherds) {
-    std::vector<catalogue::SherdRow> rows;
+    std::vector<store::SherdRow> rows;
     for (const int sherd : sherds) rows.push_back(sample_->sherds()[static_cast<size_t>(sherd)]);
     page_->setSherds(&sample_->session(), rows);
   }

@@ -54,7 +54,7 @@ class FieldWordsTest : public QObject {
 
   void aNumberIsTypedAsTheLanguageWritesIt() {
     const auto typed = [](const char* field, const char* text) {
-      for (const ostraka::catalogue::SherdField& known : ostraka::catalogue::sherdFields())
+      for (const ostraka::records::SherdField& known : ostraka::records::sherdFields())
         if (std::string(known.name) == field) return typedText(known, text);
       return QString();
     };

@@ -346,7 +346,7 @@ class ImportTest : public QObject {
     QVERIFY(exchange::exportFolder(sample_->catalogue(), sample_->session().folder(),
                                    sample_->sherds(), options, quiet, {})
                 .has_value());
-    const catalogue::FieldChange ours{sample_->sherds()[0], "ware", "black"};
+    const records::FieldChange ours{sample_->sherds()[0], "ware", "black"};
     QVERIFY(sample_->catalogue().change(std::span(&ours, 1), {}).has_value());
     open();
     model_->setSource(sample_->folder() + "/b");

@@ -19,24 +19,23 @@ namespace ostraka::ui {
 class SampleProject {
  public:
   explicit SampleProject(int sherds, const char* name = "sample") {
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     record.title = "Sample";
-    auto made =
-        catalogue::Project::create(std::filesystem::path(folder_.path().toStdString()) / name,
-                                   record, [this] { return now_ms_ += 1000; });
-    project_ = std::make_shared<catalogue::Project>(must(std::move(made)));
+    auto made = upkeep::Project::create(std::filesystem::path(folder_.path().toStdString()) / name,
+                                        record, [this] { return now_ms_ += 1000; });
+    project_ = std::make_shared<upkeep::Project>(must(std::move(made)));
     session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
     session_->setInitials("AP");
     provenance_.person =
-        must(catalogue().save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, provenance_));
-    catalogue::SiteRecord site;
+        must(catalogue().save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, provenance_));
+    records::SiteRecord site;
     site.code = "ARM1";
     site.name = "Hill";
-    catalogue::TrenchRecord trench;
+    records::TrenchRecord trench;
     trench.site = must(catalogue().save(site, provenance_));
     trench.code = "T3";
-    catalogue::ContextRecord context;
+    records::ContextRecord context;
     context.site = trench.site;
     context.trench = must(catalogue().save(trench, provenance_));
     for (const char* number : {"0012", "0013"}) {
@@ -51,15 +50,15 @@ class SampleProject {
 
   catalogue::Catalogue& catalogue() { return project_->catalogue(); }
   ProjectSession& session() { return *session_; }
-  const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
+  const std::vector<store::SherdRow>& sherds() const { return sherds_; }
   QString folder() const { return folder_.path(); }
   QString value(int sherd, const std::string& field) {
-    return QString::fromStdString(catalogue::textOf(
-        must(catalogue().sherd(sherds_[static_cast<std::size_t>(sherd)])), field));
+    return QString::fromStdString(
+        records::textOf(must(catalogue().sherd(sherds_[static_cast<std::size_t>(sherd)])), field));
   }
-  catalogue::SherdRow row(int sherd) const { return sherds_[static_cast<std::size_t>(sherd)]; }
-  catalogue::SherdRow addDraft(bool with_context = true) {
-    catalogue::SherdRecord s;
+  store::SherdRow row(int sherd) const { return sherds_[static_cast<std::size_t>(sherd)]; }
+  store::SherdRow addDraft(bool with_context = true) {
+    records::SherdRecord s;
     if (with_context) s.context = contexts_[0];
     sherds_.push_back(must(catalogue().addSherd(s, provenance_)));
     return sherds_.back();
@@ -84,7 +83,7 @@ class SampleProject {
 
  private:
   void add(int i) {
-    catalogue::SherdRecord s;
+    records::SherdRecord s;
     s.context = contexts_[static_cast<std::size_t>(i % 2)];
     s.part = {i % 3 == 0 ? "rim" : "body"};
     s.ware = i % 2 == 0 ? "grey" : "red slipped";
@@ -94,7 +93,7 @@ class SampleProject {
                   {"width", 30.0 + i % 7},
                   {"thickness_mean", 4.0 + 0.5 * (i % 10)},
                   {"weight", 20.0 + i % 13}};
-    const catalogue::SherdRow row = must(catalogue().addSherd(s, provenance_));
+    const store::SherdRow row = must(catalogue().addSherd(s, provenance_));
     sherds_.push_back(row);
     must(catalogue().assignNumbers(std::span(&row, 1), provenance_));
     if (i < 30) {
@@ -126,11 +125,11 @@ class SampleProject {
   QTemporaryDir folder_;
   std::int64_t now_ms_ = 1'790'000'000'000;
   ThreadedJobRunner jobs_;
-  std::shared_ptr<catalogue::Project> project_;
+  std::shared_ptr<upkeep::Project> project_;
   std::unique_ptr<ProjectSession> session_;
-  catalogue::Provenance provenance_;
-  std::vector<catalogue::ContextRow> contexts_;
-  std::vector<catalogue::SherdRow> sherds_;
+  records::Provenance provenance_;
+  std::vector<store::ContextRow> contexts_;
+  std::vector<store::SherdRow> sherds_;
 };
 
 }  // namespace ostraka::ui

@@ -50,7 +50,7 @@ class SherdTableModelTest : public QObject {
     const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     const QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
     QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
-    const catalogue::FieldChange change{sample.sherds()[0], "ware", "black"};
+    const records::FieldChange change{sample.sherds()[0], "ware", "black"};
     QVERIFY(sample.catalogue().change(std::span(&change, 1), {}).has_value());
     QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
     model.refresh({sample.sherds()[0]});
@@ -70,11 +70,11 @@ class SherdTableModelTest : public QObject {
 
   void aMeasureOfADoubtfulScaleCarriesAQuestionMark() {
     SampleProject sample(3);
-    catalogue::BatchRecord batch;
+    records::BatchRecord batch;
     batch.scale_doubts = "The scale is wrong.";
     const auto row = sample.catalogue().addBatch(batch, {});
     QVERIFY(row.has_value());
-    catalogue::SherdRecord fresh;
+    records::SherdRecord fresh;
     fresh.batch = *row;
     const auto sherd = sample.catalogue().addSherd(fresh, {});
     QVERIFY(sherd.has_value());

@@ -18,17 +18,17 @@ class ProjectSessionTest : public QObject {
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     const std::filesystem::path path = folder_->filePath("p").toStdString();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
-    auto project = catalogue::Project::create(path, record);
+    auto project = upkeep::Project::create(path, record);
     QVERIFY(project.has_value());
     session_ = std::make_unique<ProjectSession>(
-        std::make_shared<catalogue::Project>(std::move(*project)), path, jobs_);
+        std::make_shared<upkeep::Project>(std::move(*project)), path, jobs_);
   }
 
   void whoTypesSmallLettersIsTheSamePerson() {
     catalogue::Catalogue& rows = session_->project().catalogue();
-    const auto anna = rows.save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
+    const auto anna = rows.save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
     QVERIFY(anna.has_value());
     QSignalSpy refused(session_.get(), &ProjectSession::personRefused);
     session_->setInitials("ap ");
@@ -39,7 +39,7 @@ class ProjectSessionTest : public QObject {
 
   void aPersonWhomTheProjectDoesNotKnowIsEntered() {
     session_->setInitials("bk");
-    const catalogue::Provenance provenance = session_->provenance();
+    const records::Provenance provenance = session_->provenance();
     const auto persons = session_->project().catalogue().persons();
     QCOMPARE(persons->size(), std::size_t{1});
     QCOMPARE(persons->front().initials, std::string("BK"));

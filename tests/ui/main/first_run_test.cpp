@@ -131,7 +131,7 @@ class FirstRunTest : public QObject {
     QCOMPARE(row.figures->sherds, 2);
     doubtful_ = doubtful_ || row.state == QueueState::Review;
     const auto sherds = window.session()->project().catalogue().sherdRows(catalogue::Filter(),
-                                                                          catalogue::SherdOrder());
+                                                                          records::SherdOrder());
     QVERIFY(sherds.has_value());
     QCOMPARE(sherds->size(), std::size_t{2});
     const auto record = window.session()->project().catalogue().sherd(sherds->front());
@@ -155,7 +155,7 @@ class FirstRunTest : public QObject {
     auto* closing = named<QLabel>(window, "closing");
     QTRY_VERIFY_WITH_TIMEOUT(closing->isVisible(), kLong_ms);
     QuietProgress quiet;
-    QVERIFY(exchange::checkBag(to.toStdString(), quiet, {}).has_value());
+    QVERIFY(archive::checkBag(to.toStdString(), quiet, {}).has_value());
     const QDir data(to + QStringLiteral("/data"));
     QCOMPARE(data.entryList({QStringLiteral("sherds.csv")}).size(), 1);
     QCOMPARE(QDir(data.filePath("models")).entryList({QStringLiteral("*.ply")}).size(), 2);

@@ -32,10 +32,10 @@ class MainWindowTest : public QObject {
   void init() {
     home_ = std::make_unique<Home>();
     folder_ = home_->path(QStringLiteral("Ostraka/p1"));
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM1";
     record.title = "Aragats 2026";
-    const auto made = catalogue::Project::create(folder_.toStdString(), record);
+    const auto made = upkeep::Project::create(folder_.toStdString(), record);
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
   }
 
@@ -91,9 +91,9 @@ class MainWindowTest : public QObject {
   }
 
   void whatStandsInAFieldIsSavedWhenTheWindowCloses() {
-    catalogue::SherdRow row;
+    store::SherdRow row;
     {
-      auto project = catalogue::Project::open(folder_.toStdString());
+      auto project = upkeep::Project::open(folder_.toStdString());
       row = *project->catalogue().addSherd({}, {});
     }
     {
@@ -112,13 +112,13 @@ class MainWindowTest : public QObject {
       QTest::keyClicks(ware, "red slip");
       window.close();  // no Return, no Tab
     }
-    const auto project = catalogue::Project::open(folder_.toStdString());
+    const auto project = upkeep::Project::open(folder_.toStdString());
     QCOMPARE(project->catalogue().sherd(row)->ware, std::string("red slip"));
   }
 
   void closingSaysOnceThatAnExportWouldBeLost() {
     {
-      auto project = catalogue::Project::open(folder_.toStdString());
+      auto project = upkeep::Project::open(folder_.toStdString());
       QVERIFY(project->catalogue().addSherd({}, {}).has_value());
     }
     MainWindow window(jobs_);
@@ -140,16 +140,16 @@ class MainWindowTest : public QObject {
 
   void aProjectThatStillLeavesStaysLockedWhenAnotherIsClosed() {
     {
-      auto project = catalogue::Project::open(folder_.toStdString());
-      catalogue::BatchRecord batch;
-      batch.state = catalogue::BatchState::Queued;
+      auto project = upkeep::Project::open(folder_.toStdString());
+      records::BatchRecord batch;
+      batch.state = records::BatchState::Queued;
       QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
     }
     const QString other = home_->path(QStringLiteral("Ostraka/p2"));
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "P2";
     record.title = "Another";
-    QVERIFY(catalogue::Project::create(other.toStdString(), record).has_value());
+    QVERIFY(upkeep::Project::create(other.toStdString(), record).has_value());
     const auto computing = std::make_shared<std::atomic<bool>>(false);
     const auto may_end = std::make_shared<std::atomic<bool>>(false);
     const auto at_the_end = qScopeGuard([may_end] { *may_end = true; });
@@ -177,9 +177,9 @@ class MainWindowTest : public QObject {
 
   void openingAProjectSaysWhichOfItsFilesWereChanged() {
     {
-      auto project = catalogue::Project::open(folder_.toStdString());
+      auto project = upkeep::Project::open(folder_.toStdString());
       QVERIFY(project.has_value());
-      catalogue::FileRecord file;
+      records::FileRecord file;
       file.path = "models/B0001/a/model.ply";
       file.sha256 = sha256("as it was entered");
       file.media_type = "application/octet-stream";

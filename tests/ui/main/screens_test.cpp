@@ -365,19 +365,19 @@ class ScreensTest : public QObject {
   void addBatches() {
     catalogue::Catalogue& rows = window_->session()->project().catalogue();
     window_->queue()->setPaused(true);
-    for (const catalogue::BatchState state :
-         {catalogue::BatchState::Done, catalogue::BatchState::Review, catalogue::BatchState::Failed,
-          catalogue::BatchState::Queued}) {
-      catalogue::BatchRecord batch;
+    for (const records::BatchState state :
+         {records::BatchState::Done, records::BatchState::Review, records::BatchState::Failed,
+          records::BatchState::Queued}) {
+      records::BatchRecord batch;
       batch.state = state;
       const auto row = rows.addBatch(batch, {});
       QVERIFY(row.has_value());
       const std::string number = rows.batch(*row)->number;
-      if (state == catalogue::BatchState::Failed)
+      if (state == records::BatchState::Failed)
         (void)rows.setSetting("queue.failure." + number,
                               R"({"sentence":"front/cam1_pos03.jpg: only two markers are seen; )"
                               R"(photograph the fronts again."})");
-      else if (state != catalogue::BatchState::Queued)
+      else if (state != records::BatchState::Queued)
         (void)rows.setSetting("queue.figures." + number,
                               R"({"sherds":9,"sure":7,"ask":2,"uncertainty_mm":0.08})");
     }

@@ -189,21 +189,21 @@ class SmallWindowTest : public QObject {
 
   void makeProject(bool empty) {
     const std::filesystem::path folder = home_->path("Hill").toStdString();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     record.title = "Hill";
-    auto made = catalogue::Project::create(folder, record);
+    auto made = upkeep::Project::create(folder, record);
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
     if (empty) return;
     pipeline::SyntheticOptions options;
     options.sherds = 6;
     (void)pipeline::writeSyntheticOut(folder / "results" / "B0001", options);
-    catalogue::BatchRecord batch;
+    records::BatchRecord batch;
     batch.number = "B0001";
-    batch.state = catalogue::BatchState::Review;
+    batch.state = records::BatchState::Review;
     QVERIFY(made->catalogue().addBatch(batch, {}).has_value());
     for (int i = 0; i < 8; ++i) {
-      catalogue::SherdRecord sherd;
+      records::SherdRecord sherd;
       sherd.ware = "grey";
       QVERIFY(made->catalogue().addSherd(sherd, {}).has_value());
     }

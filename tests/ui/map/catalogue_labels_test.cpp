@@ -62,7 +62,7 @@ void CatalogueLabelsTest::aPrintedLabelIsReadByTheCameraAndKeepsItsMargins() {
 }
 
 void CatalogueLabelsTest::theMapShowsTheEndsOfNumbersThatTellThemApart() {
-  pipeline::PlateMap map;
+  review::PlateMap map;
   map.front.marks.resize(4);
   for (const int i : {0, 1, 2}) map.front.marks[i].number = "0" + std::to_string(i + 1);
   const auto numbers = [&](const QStringList& list) {
@@ -109,9 +109,9 @@ void CatalogueLabelsTest::theMapShowsTheEndsOfNumbersThatTellThemApart() {
 
 void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
   QTemporaryDir folder;
-  catalogue::ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
-  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
   QVERIFY(project.has_value());
   catalogue::Catalogue& rows = project->catalogue();
   QVERIFY(bagLabels(rows, {}).isEmpty());
@@ -143,9 +143,9 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike() {
   QFETCH(QStringList, codes);
   const PlaceText place{codes[0], codes[1], codes[2], codes[3]};
   QTemporaryDir folder;
-  catalogue::ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
-  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
   QVERIFY(project.has_value());
   catalogue::Catalogue& rows = project->catalogue();
   const auto row = bagRowOf(rows, place, {});
@@ -167,12 +167,12 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike() {
 
 void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
   QTemporaryDir folder;
-  catalogue::ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
-  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
   QVERIFY(project.has_value());
   catalogue::Catalogue& rows = project->catalogue();
-  const auto anna = rows.save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
+  const auto anna = rows.save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
   const auto row = bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {*anna, "window", {}});
   QVERIFY(row.has_value());
   QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "5"}, {}).has_value());
@@ -181,13 +181,13 @@ void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
   };
   QCOMPARE(contents({}), QStringLiteral("AP | "));
   QCOMPARE(contents("BK"), QStringLiteral("AP | BK"));
-  catalogue::BagRecord bag = rows.bags()->front();
+  records::BagRecord bag = rows.bags()->front();
   bag.count_written = 3;
   QVERIFY(rows.save(bag, {}).has_value());
   QCOMPARE(contents({}), QStringLiteral("3 sherd(s), AP | "));
-  std::vector<catalogue::SherdRow> sherds;
+  std::vector<store::SherdRow> sherds;
   for (int i = 0; i < 4; ++i) {
-    catalogue::SherdRecord sherd;
+    records::SherdRecord sherd;
     sherd.context = bag.context;
     sherd.bag = bag.row;
     const auto added = rows.addSherd(sherd, {});
@@ -201,17 +201,17 @@ void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
 
 void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QTemporaryDir folder;
-  catalogue::ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
   record.title = "Trial";
-  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
   QVERIFY2(project.has_value(), project ? "" : project.error().sentence().c_str());
   catalogue::Catalogue& rows = project->catalogue();
-  catalogue::BatchRecord batch;
+  records::BatchRecord batch;
   batch.number = "B0001";
   const auto batch_row = rows.addBatch(batch, {});
   QVERIFY(batch_row.has_value());
-  catalogue::ScanRecord scan;
+  records::ScanRecord scan;
   scan.batch = *batch_row;
   scan.index = 3;  // as it was numbered before; the map has newer results
   scan.name = "f003";
@@ -220,15 +220,15 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   scan.plate_y_mm = 10;
   const auto scan_row = rows.save(scan, {});
   QVERIFY2(scan_row.has_value(), scan_row ? "" : scan_row.error().sentence().c_str());
-  catalogue::SherdRecord sherd;
+  records::SherdRecord sherd;
   sherd.batch = *batch_row;
   sherd.front = *scan_row;
-  catalogue::SiteRecord site;
+  records::SiteRecord site;
   site.code = "ARM1";
   site.name = "Trial";
   const auto site_row = rows.save(site, {});
   QVERIFY2(site_row.has_value(), site_row ? "" : site_row.error().sentence().c_str());
-  catalogue::ContextRecord context;
+  records::ContextRecord context;
   context.site = *site_row;
   context.number = "0012";
   const auto context_row = rows.save(context, {});
@@ -238,7 +238,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   const auto sherd_row = rows.addSherd(sherd, {});
   QVERIFY2(sherd_row.has_value(), sherd_row ? "" : sherd_row.error().sentence().c_str());
 
-  pipeline::PlateMap map;
+  review::PlateMap map;
   map.front.marks.resize(3);
   map.front.marks[0].number = "01";
   map.front.marks[0].place_mm = {-50, 0};
@@ -257,11 +257,11 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QCOMPARE(labels[1].context, QStringLiteral("ARM1 / 0012"));
   const auto leadsTo = [&](const QString& code) {
     const auto filter = catalogue::parseFilter(code.toStdString());
-    return filter ? *rows.sherdRows(*filter, {}) : std::vector<catalogue::SherdRow>();
+    return filter ? *rows.sherdRows(*filter, {}) : std::vector<store::SherdRow>();
   };
-  QCOMPARE(leadsTo(labels[1].code), std::vector<catalogue::SherdRow>{*sherd_row});
+  QCOMPARE(leadsTo(labels[1].code), std::vector<store::SherdRow>{*sherd_row});
   // A draft's label, and what it leads to after the sherd has its number.
-  catalogue::SherdRecord draft;
+  records::SherdRecord draft;
   draft.batch = *batch_row;
   draft.context = *context_row;
   scan.index = 1;
@@ -273,20 +273,20 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QVERIFY(draft_row.has_value());
   const SherdLabel before = labelsOf(sherdsOnPlate(map, &rows, "B0001", day))[0];
   QCOMPARE(before.number, QStringLiteral("sherd 1 of B0001"));
-  QCOMPARE(leadsTo(before.code), std::vector<catalogue::SherdRow>{*draft_row});
-  const catalogue::FieldChange number{*draft_row, "number", "ARM1-8"};
+  QCOMPARE(leadsTo(before.code), std::vector<store::SherdRow>{*draft_row});
+  const records::FieldChange number{*draft_row, "number", "ARM1-8"};
   QVERIFY(rows.change(std::span(&number, 1), {}).has_value());
-  QCOMPARE(leadsTo(before.code), std::vector<catalogue::SherdRow>{*draft_row});
-  QCOMPARE(leadsTo(plain[0].code), std::vector<catalogue::SherdRow>{*draft_row});
+  QCOMPARE(leadsTo(before.code), std::vector<store::SherdRow>{*draft_row});
+  QCOMPARE(leadsTo(plain[0].code), std::vector<store::SherdRow>{*draft_row});
   QCOMPARE(labels[1].date, QStringLiteral("2026-07-14"));
   QCOMPARE(labelsOf(sherdsOnPlate(map, &rows, "B0009", day))[1].number,
            QStringLiteral("sherd 2 of B0009"));
 
   // A piece that is to be photographed again keeps its number and its label; what is void has none.
-  map.front.marks[0].state = map.front.marks[2].state = pipeline::CardState::Reshoot;
+  map.front.marks[0].state = map.front.marks[2].state = review::CardState::Reshoot;
   QCOMPARE(labelsOf(sherdsOnPlate(map, &rows, "B0001", day)).size(), 2);
   QCOMPARE(labelsOf(sherdsOnPlate(map, nullptr, "B0001", day)).size(), 0);  // stones, perhaps
-  map.front.marks[2].state = pipeline::CardState::Sure;
+  map.front.marks[2].state = review::CardState::Sure;
   QVERIFY(mapNumbers(sherdsOnPlate(map, &rows, "B0001", day)).voided.isEmpty());
   QVERIFY(rows.voidSherd(*sherd_row, "a brick", {}).has_value());
   const QVector<SherdLabel> left = labelsOf(sherdsOnPlate(map, &rows, "B0001", day));

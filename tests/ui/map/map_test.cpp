@@ -41,7 +41,7 @@ class MapTest : public QObject {
   void noNumberHidesASmallSherd();
 
  private:
-  const pipeline::PlateMap& map() { return view()->picture().map; }
+  const review::PlateMap& map() { return view()->picture().map; }
   MapView* view() { return screen_->findChild<MapView*>("plate"); }
 
   QTemporaryDir folder_;
@@ -91,7 +91,7 @@ void MapTest::everySherdHasItsNumberOnBothSides() {
 }
 
 void MapTest::aDoubtfulPairShowsBothNumbers() {
-  const pipeline::MapMark& back = map().back.marks[0];  // the program gives it to f002
+  const review::MapMark& back = map().back.marks[0];  // the program gives it to f002
   QCOMPARE(back.number, std::string("02"));
   QCOMPARE(back.other_number, std::string("01"));
   QVERIFY(map().back.marks[3].other_number.empty());
@@ -124,23 +124,23 @@ void MapTest::arrowKeysAndMouseLightTheSameSherdOnBothSides() {
 }
 
 void MapTest::whatWasDecidedIsSeenAtOnce() {
-  pipeline::PairDecision decision;
-  decision.kind = pipeline::DecisionKind::Pair;
+  decisions::PairDecision decision;
+  decision.kind = decisions::DecisionKind::Pair;
   decision.by = "AP";
   decision.scans = {out_.table.fronts[0], out_.table.backs[0]};
-  QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
+  QVERIFY(decisions::appendDecision(out_.output, decision).has_value());
   session_->tellBatchChanged("B0007");
   QTRY_COMPARE(map().back.marks[0].number, std::string("01"));
 }
 
 void MapTest::whatWasTakenOutKeepsItsNumberOnBothSides() {
-  pipeline::PairDecision decision;
-  decision.kind = pipeline::DecisionKind::Reshoot;
+  decisions::PairDecision decision;
+  decision.kind = decisions::DecisionKind::Reshoot;
   decision.by = "AP";
   decision.scans = {out_.table.fronts[2], out_.table.backs[2]};
-  QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
+  QVERIFY(decisions::appendDecision(out_.output, decision).has_value());
   session_->tellBatchChanged("B0007");
-  QTRY_COMPARE(map().front.marks[2].state, pipeline::CardState::Reshoot);
+  QTRY_COMPARE(map().front.marks[2].state, review::CardState::Reshoot);
   QCOMPARE(map().front.marks[2].number, std::string("03"));
   QCOMPARE(map().back.marks[2].number, std::string("03"));
   MapNumbers numbers;
@@ -151,13 +151,13 @@ void MapTest::whatWasTakenOutKeepsItsNumberOnBothSides() {
 }
 
 void MapTest::whatNobodyLooksAtIsNotRead() {
-  pipeline::PairDecision decision;
-  decision.kind = pipeline::DecisionKind::Pair;
+  decisions::PairDecision decision;
+  decision.kind = decisions::DecisionKind::Pair;
   decision.by = "AP";
   decision.scans = {out_.table.fronts[0], out_.table.backs[0]};
   screen_->hide();
   const int before = runner_.started;
-  QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
+  QVERIFY(decisions::appendDecision(out_.output, decision).has_value());
   for (int i = 0; i < 3; ++i) session_->tellBatchChanged("B0007");
   QCOMPARE(runner_.started, before);
   screen_->show();
@@ -166,16 +166,16 @@ void MapTest::whatNobodyLooksAtIsNotRead() {
 }
 
 void MapTest::theLabelSaysTheDayOfTheShooting() {
-  catalogue::ProjectRecord record;
+  records::ProjectRecord record;
   record.code = "ARM";
   record.title = "Trial";
   auto made =
-      catalogue::Project::create(std::filesystem::path(folder_.path().toStdString()) / "p", record);
+      upkeep::Project::create(std::filesystem::path(folder_.path().toStdString()) / "p", record);
   QVERIFY(made.has_value());
-  const auto project = std::make_shared<catalogue::Project>(std::move(*made));
-  catalogue::BatchRecord batch;
+  const auto project = std::make_shared<upkeep::Project>(std::move(*made));
+  records::BatchRecord batch;
   batch.number = "B0007";
-  batch.state = catalogue::BatchState::Review;
+  batch.state = records::BatchState::Review;
   batch.started_ms = QDateTime(QDate(2019, 7, 14), QTime(12, 0)).toMSecsSinceEpoch();
   QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
   ProjectSession dated(project, folder_.path().toStdString(), runner_);

@@ -90,28 +90,28 @@ class MaskPageTest : public QObject {
     QTest::mousePress(view_, Qt::LeftButton, {}, at);
     QTest::mouseMove(view_, at + QPoint(12, 0));
     QTest::mouseRelease(view_, Qt::LeftButton, {}, at + QPoint(12, 0));
-    const auto saved = pipeline::readMaskStrokes(out_);
+    const auto saved = decisions::readMaskStrokes(out_);
     QVERIFY(saved.has_value());
     QCOMPARE(saved->size(), std::size_t{1});
     QCOMPARE(saved->front().by, std::string("AP"));
     QCOMPARE(saved->front().side, batch::Side::Front);
-    QVERIFY(saved->front().paint == pipeline::MaskPaint::Sherd);
+    QVERIFY(saved->front().paint == decisions::MaskPaint::Sherd);
     QVERIFY(qAlpha(model_->overlay().pixel(plate)) > 0);
     QCOMPARE(model_->edited(), 1);
     session_->undo().undo();
-    QVERIFY(pipeline::readMaskStrokes(out_)->empty());
+    QVERIFY(decisions::readMaskStrokes(out_)->empty());
     QCOMPARE(qAlpha(model_->overlay().pixel(plate)), 0);
     session_->undo().redo();
-    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
+    QCOMPARE(decisions::readMaskStrokes(out_)->size(), std::size_t{1});
     QVERIFY(qAlpha(model_->overlay().pixel(plate)) > 0);
   }
 
   void aBatchThatWasDoneWantsComputingUntilTheStrokeIsTakenBack() {
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
     const fs::path project = fs::path(folder_->path().toStdString()) / "project";
-    auto made = catalogue::Project::create(project, record);
+    auto made = upkeep::Project::create(project, record);
     QVERIFY(made.has_value());
     fs::create_directories(project / "results");
     fs::copy(out_, project / "results" / "B0001", fs::copy_options::recursive);
@@ -119,24 +119,24 @@ class MaskPageTest : public QObject {
     QVERIFY(writeFileAtomically(project / "results/B0001/report.json",
                                 R"({"decisions":[],"stages":[]})")
                 .has_value());
-    catalogue::BatchRecord batch;
-    batch.state = catalogue::BatchState::Done;
+    records::BatchRecord batch;
+    batch.state = records::BatchState::Done;
     QVERIFY(made->catalogue().addBatch(batch, {}).has_value());
-    ProjectSession session(std::make_shared<catalogue::Project>(std::move(*made)), project, jobs_);
+    ProjectSession session(std::make_shared<upkeep::Project>(std::move(*made)), project, jobs_);
     session.setInitials("AP");
     const auto state = [&] { return session.project().catalogue().batchByNumber("B0001")->state; };
-    const bool asks = pipeline::loadReview(project / "results" / "B0001")->waiting() > 0;
-    const auto settled = asks ? catalogue::BatchState::Review : catalogue::BatchState::Done;
+    const bool asks = review::loadReview(project / "results" / "B0001")->waiting() > 0;
+    const auto settled = asks ? records::BatchState::Review : records::BatchState::Done;
     QSignalSpy told(&session, &ProjectSession::batchChanged);
     page_->openBatch(session, "B0001");
     QTRY_VERIFY_WITH_TIMEOUT(!model_->overlay().isNull(), 20000);
-    model_->paint(pipeline::MaskPaint::Plate, QPolygonF{{10, 10}, {30, 30}}, 8);
-    QTRY_COMPARE(state(), catalogue::BatchState::Review);
-    QVERIFY(pipeline::masksWantComputing(project / "results" / "B0001"));
+    model_->paint(decisions::MaskPaint::Plate, QPolygonF{{10, 10}, {30, 30}}, 8);
+    QTRY_COMPARE(state(), records::BatchState::Review);
+    QVERIFY(decisions::masksWantComputing(project / "results" / "B0001"));
     QTRY_VERIFY(told.count() > 0);
     page_->closeBatch();  // and an undo from another page reaches the file, too
     session.undo().undo();
-    QVERIFY(!pipeline::masksWantComputing(project / "results" / "B0001"));
+    QVERIFY(!decisions::masksWantComputing(project / "results" / "B0001"));
     QTRY_COMPARE(state(), settled);
   }
 
@@ -146,21 +146,21 @@ class MaskPageTest : public QObject {
     QTest::keyClick(page_.get(), Qt::Key_P);
     QTRY_VERIFY(page_->findChild<QAction*>("masksPlate")->isChecked());
     QTest::keyClick(view_, Qt::Key_Space);
-    const auto saved = pipeline::readMaskStrokes(out_);
+    const auto saved = decisions::readMaskStrokes(out_);
     QCOMPARE(saved->size(), std::size_t{1});
-    QVERIFY(saved->front().paint == pipeline::MaskPaint::Plate);
+    QVERIFY(saved->front().paint == decisions::MaskPaint::Plate);
     const Eigen::Vector2d first = saved->front().path_px.front();
     QCOMPARE(qAlpha(model_->overlay().pixel(qRound(first.x()), qRound(first.y()))), 0);
     QTest::keyClick(view_, Qt::Key_Right);
     QTest::keyClick(view_, Qt::Key_Space);
-    const Eigen::Vector2d second = pipeline::readMaskStrokes(out_)->back().path_px.front();
+    const Eigen::Vector2d second = decisions::readMaskStrokes(out_)->back().path_px.front();
     QVERIFY(second.x() > first.x());
     QCOMPARE(second.y(), first.y());
   }
 
   void aStrokeOnAPhotographThatWasTakenAgainHoldsNoMore() {
     const QPoint plate = outsideOfSherds();
-    model_->paint(pipeline::MaskPaint::Sherd, QPolygonF{{plate}}, 8);
+    model_->paint(decisions::MaskPaint::Sherd, QPolygonF{{plate}}, 8);
     QVERIFY(qAlpha(model_->overlay().pixel(plate)) > 0);
     QCOMPARE(model_->edited(), 1);
     const fs::path now = fs::path(folder_->path().toStdString()) / "batches/B0001/photographs";
@@ -171,30 +171,30 @@ class MaskPageTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!model_->overlay().isNull(), 20000);
     QCOMPARE(qAlpha(model_->overlay().pixel(plate)), 0);
     QCOMPARE(model_->edited(), 0);
-    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
+    QCOMPARE(decisions::readMaskStrokes(out_)->size(), std::size_t{1});
   }
 
   // As when the file of strokes cannot be written at one act, and can at the next.
   void aStrokeThatCouldNotBeTakenBackCanBeTakenBackLater() {
     const QSignalSpy failed(model_, &MaskModel::failed);
     for (const double x : {20.0, 60.0})
-      model_->paint(pipeline::MaskPaint::Sherd, QPolygonF{{x, 20.0}}, 8);
+      model_->paint(decisions::MaskPaint::Sherd, QPolygonF{{x, 20.0}}, 8);
     {
       const NoRoom no_room;
       session_->undo().undo();
       QCOMPARE(failed.count(), 1);
-      QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{2});
+      QCOMPARE(decisions::readMaskStrokes(out_)->size(), std::size_t{2});
       QTRY_COMPARE(session_->undo().index(), 2);
     }
     const auto at = [&](std::size_t i) {
-      return pipeline::readMaskStrokes(out_)->at(i).path_px.front().x();
+      return decisions::readMaskStrokes(out_)->at(i).path_px.front().x();
     };
-    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{2});
+    QCOMPARE(decisions::readMaskStrokes(out_)->size(), std::size_t{2});
     session_->undo().undo();
-    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
+    QCOMPARE(decisions::readMaskStrokes(out_)->size(), std::size_t{1});
     QCOMPARE(at(0), 20.0);
     session_->undo().undo();
-    QVERIFY(pipeline::readMaskStrokes(out_)->empty());
+    QVERIFY(decisions::readMaskStrokes(out_)->empty());
   }
 
   void theNextPhotographIsOneKeyAway() {

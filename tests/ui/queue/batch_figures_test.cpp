@@ -16,12 +16,12 @@ class BatchFiguresTest : public QObject {
     const QTemporaryDir folder;
     const auto project = projectIn(folder.path().toStdString());
     catalogue::Catalogue& rows = project->catalogue();
-    catalogue::SiteRecord site;
+    records::SiteRecord site;
     site.code = site.name = "ARM1";
-    catalogue::ContextRecord context;
+    records::ContextRecord context;
     context.site = *rows.save(site, {});
     context.number = "0012";
-    catalogue::SherdRecord sherd;
+    records::SherdRecord sherd;
     sherd.context = *rows.save(context, {});
     QString first;
     for (const char* number : {"A-1", "A-2"}) {

@@ -122,7 +122,7 @@ class BatchQueueTest : public QObject {
       bench.queue.setWork(
           [&](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
             catalogue::Catalogue& rows = bench.session.project().catalogue();
-            catalogue::BatchRecord record = *rows.batchByNumber(number.toStdString());
+            records::BatchRecord record = *rows.batchByNumber(number.toStdString());
             record.state = BatchState::Review;
             record.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
             (void)rows.saveBatch(record, {});
@@ -154,7 +154,7 @@ class BatchQueueTest : public QObject {
         [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
           drafts << options.draft;
           catalogue::Catalogue& rows = bench.session.project().catalogue();
-          catalogue::BatchRecord record = *rows.batchByNumber(options.number);
+          records::BatchRecord record = *rows.batchByNumber(options.number);
           record.state = options.draft ? BatchState::Review : BatchState::Done;
           record.scale_doubts = options.draft ? "This is a draft." : "";
           (void)rows.saveBatch(record, {});
@@ -199,7 +199,7 @@ class BatchQueueTest : public QObject {
         std::this_thread::yield();
       }
       if (stop.stop_requested()) return Error::cancelled();
-      auto project = catalogue::Project::open(options.project);
+      auto project = upkeep::Project::open(options.project);
       const auto batch = project->catalogue().batchByNumber(options.number);
       (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
       BatchFigures figures;
@@ -316,7 +316,7 @@ class BatchQueueTest : public QObject {
           [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
             begun = true;
             while (!go) std::this_thread::yield();  // too far on to be stopped
-            auto project = catalogue::Project::open(options.project);
+            auto project = upkeep::Project::open(options.project);
             const auto batch = project->catalogue().batchByNumber(options.number);
             (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
             return BatchFigures{3, 2, 1, 0.07, 5};
@@ -436,7 +436,7 @@ class BatchQueueTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     const QString number = addBatch(bench.session, BatchState::Queued);
-    catalogue::Database& database = bench.session.project().catalogue().database();
+    store::Database& database = bench.session.project().catalogue().database();
     database
         .sql(
             "CREATE TEMP TRIGGER refuses BEFORE UPDATE OF state ON main.batch BEGIN "

@@ -19,14 +19,14 @@ class ComputeBatchTest : public QObject {
   void importedScansBecomeSherdsOfTheCatalogue() {
     const QTemporaryDir folder;
     const std::filesystem::path place = folder.path().toStdString();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     record.title = "Trial";
-    auto project = catalogue::Project::create(place / "project", record);
+    auto project = upkeep::Project::create(place / "project", record);
     QVERIFY2(project.has_value(), project ? "" : project.error().sentence().c_str());
     catalogue::Catalogue& rows = project->catalogue();
-    catalogue::BatchRecord queued;
-    queued.state = catalogue::BatchState::Queued;
+    records::BatchRecord queued;
+    queued.state = records::BatchState::Queued;
     const auto batch = rows.addBatch(queued, {});
     QVERIFY(batch.has_value());
     const std::string number = rows.batch(*batch)->number;
@@ -47,27 +47,27 @@ class ComputeBatchTest : public QObject {
     QCOMPARE(sherds->size(), std::size_t{2});
     const auto records = rows.sherds(*sherds);
     QVERIFY(records.has_value());
-    for (const catalogue::SherdRecord& sherd : *records) {
+    for (const records::SherdRecord& sherd : *records) {
       QVERIFY(!sherd.model_path.empty());
       QVERIFY(std::filesystem::exists(place / "project" / sherd.model_path));
       const auto measured = rows.measurements(sherd.row);
       QVERIFY(std::any_of(measured->begin(), measured->end(),
                           [](const auto& m) { return m.kind == "length" && m.value > 15; }));
     }
-    const catalogue::BatchState state = rows.batch(*batch)->state;
-    QCOMPARE(state, figures->ask > 0 ? catalogue::BatchState::Review : catalogue::BatchState::Done);
+    const records::BatchState state = rows.batch(*batch)->state;
+    QCOMPARE(state, figures->ask > 0 ? records::BatchState::Review : records::BatchState::Done);
   }
 
   void aPieceThatFoundNoPartnerWantsAPerson() {
     const QTemporaryDir folder;
     const std::filesystem::path place = folder.path().toStdString();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     record.title = "Trial";
-    auto project = catalogue::Project::create(place / "project", record);
+    auto project = upkeep::Project::create(place / "project", record);
     QVERIFY(project.has_value());
-    catalogue::BatchRecord queued;
-    queued.state = catalogue::BatchState::Queued;
+    records::BatchRecord queued;
+    queued.state = records::BatchState::Queued;
     const auto batch = project->catalogue().addBatch(queued, {});
     const std::string number = project->catalogue().batch(*batch)->number;
     pipeline::SyntheticOptions options;
@@ -85,7 +85,7 @@ class ComputeBatchTest : public QObject {
     QCOMPARE(figures->sherds, 2);
     QCOMPARE(figures->sure, 1);
     QCOMPARE(figures->ask, 1);
-    QCOMPARE(project->catalogue().batch(*batch)->state, catalogue::BatchState::Review);
+    QCOMPARE(project->catalogue().batch(*batch)->state, records::BatchState::Review);
   }
 
   // In its midst somebody decides, and wants that computed, too.
@@ -95,8 +95,8 @@ class ComputeBatchTest : public QObject {
       explicit Asking(std::filesystem::path project) : project_(std::move(project)) {}
       void begin(std::string_view stage, double) override {
         if (stage != "pairs") return;
-        auto rows = catalogue::Project::connect(project_);
-        asked = rows && catalogue::queueAgain(*rows, "B0001", {}).has_value();
+        auto rows = upkeep::Project::connect(project_);
+        asked = rows && intake::queueAgain(*rows, "B0001", {}).has_value();
       }
       void report(std::int64_t, std::int64_t) override {}
       void note(NoteLevel, std::string_view) override {}
@@ -107,13 +107,13 @@ class ComputeBatchTest : public QObject {
     };
     const QTemporaryDir folder;
     const std::filesystem::path place = folder.path().toStdString();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
     record.title = "Trial";
-    auto project = catalogue::Project::create(place / "project", record);
+    auto project = upkeep::Project::create(place / "project", record);
     QVERIFY(project.has_value());
-    catalogue::BatchRecord queued;
-    queued.state = catalogue::BatchState::Queued;
+    records::BatchRecord queued;
+    queued.state = records::BatchState::Queued;
     const auto batch = project->catalogue().addBatch(queued, {});
     QVERIFY(batch.has_value());
     const auto truth =
@@ -126,10 +126,10 @@ class ComputeBatchTest : public QObject {
     const auto figures = computeBatch({place / "project", "B0001"}, progress, {});
     QVERIFY2(figures.has_value(), figures ? "" : figures.error().sentence().c_str());
     QVERIFY(progress.asked);
-    QCOMPARE(project->catalogue().batch(*batch)->state, catalogue::BatchState::Queued);
+    QCOMPARE(project->catalogue().batch(*batch)->state, records::BatchState::Queued);
     QuietProgress quiet;
     QVERIFY(computeBatch({place / "project", "B0001"}, quiet, {}).has_value());
-    QVERIFY(project->catalogue().batch(*batch)->state != catalogue::BatchState::Queued);
+    QVERIFY(project->catalogue().batch(*batch)->state != records::BatchState::Queued);
   }
 
   // 48 batches must not become 529 when a first, small one has been computed, nor grow with each.

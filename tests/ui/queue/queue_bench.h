@@ -8,20 +8,20 @@
 
 namespace ostraka::ui {
 
-using catalogue::BatchState;
+using records::BatchState;
 
-inline std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
-  catalogue::ProjectRecord record;
+inline std::shared_ptr<upkeep::Project> projectIn(const std::filesystem::path& folder) {
+  records::ProjectRecord record;
   record.code = "TEST";
   record.title = "Test";
-  auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
-                                                    : catalogue::Project::create(folder, record);
+  auto made = upkeep::Project::isProject(folder) ? upkeep::Project::open(folder)
+                                                 : upkeep::Project::create(folder, record);
   if (!made) qFatal("%s", made.error().sentence().c_str());
-  return std::make_shared<catalogue::Project>(std::move(*made));
+  return std::make_shared<upkeep::Project>(std::move(*made));
 }
 
 inline QString addBatch(ProjectSession& session, BatchState state) {
-  catalogue::BatchRecord record;
+  records::BatchRecord record;
   record.state = state;
   catalogue::Catalogue& rows = session.project().catalogue();
   const auto row = rows.addBatch(record, {});
@@ -40,7 +40,7 @@ struct Bench {
     queue.setWork(
         [this](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
           computed << QString::fromStdString(options.number);
-          auto project = catalogue::Project::open(options.project);
+          auto project = upkeep::Project::open(options.project);
           const auto batch = project->catalogue().batchByNumber(options.number);
           (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
           return BatchFigures{3, 2, 1, 0.07, 5};

@@ -24,14 +24,14 @@ class QueueScreenTest : public QObject {
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     jobs_ = std::make_unique<ThreadedJobRunner>();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "TEST";
     record.title = "Test";
     const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = catalogue::Project::create(folder, record);
+    auto project = upkeep::Project::create(folder, record);
     QVERIFY(project.has_value());
     session_ = std::make_unique<ProjectSession>(
-        std::make_shared<catalogue::Project>(std::move(*project)), folder, *jobs_);
+        std::make_shared<upkeep::Project>(std::move(*project)), folder, *jobs_);
     queue_ = std::make_unique<BatchQueue>();
     queue_->setClock([this] { return QDateTime::currentDateTime().addSecs(3600 * hours_); });
     begun_ = hours_ = 0;
@@ -122,9 +122,9 @@ class QueueScreenTest : public QObject {
     queue_->setWork(
         [this](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
           ++begun_;
-          auto project = catalogue::Project::open(options.project);
+          auto project = upkeep::Project::open(options.project);
           const auto batch = project->catalogue().batchByNumber(options.number);
-          (void)project->catalogue().setBatchState(batch->row, catalogue::BatchState::Done, {});
+          (void)project->catalogue().setBatchState(batch->row, records::BatchState::Done, {});
           BatchFigures figures;
           figures.sherds = figures.sure = 3;
           if (begun_ == 1) figures.moved = {{1, 0.83, 2.5, 0.01}};
@@ -166,8 +166,8 @@ class QueueScreenTest : public QObject {
     return found;
   }
   void addBatch() {
-    catalogue::BatchRecord record;
-    record.state = catalogue::BatchState::Queued;
+    records::BatchRecord record;
+    record.state = records::BatchState::Queued;
     QVERIFY(session_->project().catalogue().addBatch(record, {}).has_value());
   }
   std::atomic<int> begun_ = 0;

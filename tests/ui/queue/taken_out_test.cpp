@@ -38,17 +38,17 @@ class TakenOutTest : public QObject {
     Bench bench(folder(), jobs);
     const QString number = reviewed(bench);
     bench.queue.retry(number);
-    const auto review = pipeline::loadReview(out_.output);
+    const auto review = review::loadReview(out_.output);
     QVERIFY(review.has_value());
     QCOMPARE(review->waiting(), 2);
-    for (const pipeline::ReviewCard& card : review->cards) {
-      if (card.state != pipeline::CardState::Ask) continue;
-      pipeline::PairDecision confirmed;
+    for (const review::ReviewCard& card : review->cards) {
+      if (card.state != review::CardState::Ask) continue;
+      decisions::PairDecision confirmed;
       confirmed.by = "AP";
       confirmed.scans = {out_.table.fronts.at(static_cast<std::size_t>(card.front)),
                          out_.table.backs.at(static_cast<std::size_t>(card.back))};
       confirmed.front_from_back = card.front_from_back;
-      QVERIFY(pipeline::appendDecision(out_.output, confirmed).has_value());
+      QVERIFY(decisions::appendDecision(out_.output, confirmed).has_value());
     }
     bench.queue.cancel(number);
     QTRY_COMPARE(stateOf(bench.session, number), BatchState::Done);

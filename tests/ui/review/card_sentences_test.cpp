@@ -6,7 +6,7 @@
 
 namespace ostraka::ui {
 
-using pipeline::CardState;
+using review::CardState;
 
 class CardSentencesTest : public ReviewModel {
   Q_OBJECT
@@ -59,7 +59,7 @@ void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
   model_->select(2);
   QTRY_VERIFY2(model_->reason().contains("barely touch"), qPrintable(model_->reason()));
   model_->accept();  // once more: the pose stands as it was given
-  QCOMPARE(onDisk().back().settle, pipeline::Settle::AsGiven);
+  QCOMPARE(onDisk().back().settle, decisions::Settle::AsGiven);
   model_->select(3);
   model_->accept();
   const QString other = model_->index(model_->rowOf(3)).data(CardRole::Words).toString();
@@ -129,7 +129,7 @@ void CardSentencesTest::joinedAndCutPiecesWaitForTheComputation() {
   // As the computation leaves it that followed the cut.
   auto computed = openBatch(out_.output);
   QVERIFY(computed.has_value());
-  computed->followed = pipeline::standing(computed->decisions);
+  computed->followed = decisions::standing(computed->decisions);
   model_->open(*computed);
   QVERIFY(!model_->index(model_->rowOf(1)).data(CardRole::Waits).toBool());
 }

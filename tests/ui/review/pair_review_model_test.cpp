@@ -12,8 +12,8 @@
 
 namespace ostraka::ui {
 
-using pipeline::CardState;
-using pipeline::DecisionKind;
+using decisions::DecisionKind;
+using review::CardState;
 
 class PairReviewModelTest : public ReviewModel {
   Q_OBJECT
@@ -179,8 +179,8 @@ void PairReviewModelTest::aTurnByHandIsOneActAndTheFracturesSettleIt() {
   QTRY_VERIFY(model_->fit().fracture_rms_mm > 1.2 * before);
   model_->settle();
   QTRY_COMPARE(model_->trial().made, Made::Settled);
-  const double off = pipeline::apart_mm(out_.table.backs[2], model_->trial().front_from_back,
-                                        out_.front_from_back[2]);
+  const double off = decisions::apart_mm(out_.table.backs[2], model_->trial().front_from_back,
+                                         out_.front_from_back[2]);
   QVERIFY2(off < 0.15, qPrintable(QString::number(off)));
   undo_->undo();
   QCOMPARE(model_->trial().made, Made::ByHand);
@@ -227,7 +227,7 @@ void PairReviewModelTest::whatWasTurnedByHandStandsAsItIs() {
   const Eigen::Isometry3d pose = model_->trial().front_from_back;
   model_->accept();
   QCOMPARE(onDisk().size(), std::size_t{1});
-  QCOMPARE(onDisk()[0].settle, pipeline::Settle::AsGiven);
+  QCOMPARE(onDisk()[0].settle, decisions::Settle::AsGiven);
   QVERIFY(onDisk()[0].front_from_back->isApprox(pose, 1e-12));
   QVERIFY(cardOf(2).front_from_back.isApprox(pose, 1e-12));
 }
@@ -285,7 +285,7 @@ void PairReviewModelTest::piecesAreJoinedAndCut() {
   const Eigen::Vector2d middle = out_.table.fronts[2].place_mm;
   model_->split(batch::Side::Back, middle - Eigen::Vector2d(10, 0),
                 middle + Eigen::Vector2d(10, 0));
-  const pipeline::PairDecision cut = onDisk().back();
+  const decisions::PairDecision cut = onDisk().back();
   QCOMPARE(cut.kind, DecisionKind::Split);
   QCOMPARE(cut.scans[0].id, std::string("b003"));
   const Eigen::Vector2d centre = 0.5 * (cut.cut_mm[0] + cut.cut_mm[1]);
@@ -305,7 +305,7 @@ void PairReviewModelTest::aSmallerBatchTakesThePlaceOfALargerOne() {
   QVERIFY(batch.has_value());
   bool all_there = true;
   const auto look = [&] {
-    for (const pipeline::ReviewCandidate& c : model_->candidates())
+    for (const review::ReviewCandidate& c : model_->candidates())
       all_there &= c.back < static_cast<int>(model_->live()->table().backs.size());
   };
   connect(model_.get(), &PairReviewModel::waitingChanged, this, look);
@@ -361,11 +361,11 @@ void PairReviewModelTest::whatIsTakenBackStandsInTheFileOfItsBatch() {
   QCOMPARE(decided.count(), 1);
   QCOMPARE(onDisk().size(), std::size_t{2});
   QCOMPARE(onDisk()[1].kind, DecisionKind::Withdraw);
-  QVERIFY(pipeline::readDecisions(other.output)->empty());
+  QVERIFY(decisions::readDecisions(other.output)->empty());
   QCOMPARE(model_->waiting(), 2);
   undo_->redo();
-  QCOMPARE(pipeline::standing(onDisk()).size(), std::size_t{1});
-  QVERIFY(pipeline::readDecisions(other.output)->empty());
+  QCOMPARE(decisions::standing(onDisk()).size(), std::size_t{1});
+  QVERIFY(decisions::readDecisions(other.output)->empty());
 }
 
 // The same batch after it was computed anew with fewer pieces, say.
@@ -410,7 +410,7 @@ void PairReviewModelTest::aWithdrawalThatCannotBeWrittenIsStillToBeMade() {
   QCOMPARE(onDisk().size(), std::size_t{1});
   undo_->undo();
   QCOMPARE(onDisk().size(), std::size_t{2});
-  QVERIFY(pipeline::standing(onDisk()).empty());
+  QVERIFY(decisions::standing(onDisk()).empty());
   QVERIFY(undo_->canRedo());
 }
 

@@ -33,8 +33,8 @@ class ReviewModel : public QObject {
     std::filesystem::remove(out_.output / "decisions.json");
   }
 
-  pipeline::Decisions onDisk() { return *pipeline::readDecisions(out_.output); }
-  const pipeline::ReviewCard& cardOf(int front) { return *model_->review().ofFront(front); }
+  decisions::Decisions onDisk() { return *decisions::readDecisions(out_.output); }
+  const review::ReviewCard& cardOf(int front) { return *model_->review().ofFront(front); }
   void waitForScene() { QTRY_VERIFY(model_->fit().fracture_rms_mm > 0); }
 
   QTemporaryDir folder_;

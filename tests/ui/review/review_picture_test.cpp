@@ -83,7 +83,7 @@ void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {
   open(3);
   const auto* bar = screen_->findChild<QWidget*>("scaleInDoubt");
   QVERIFY(!bar->isVisible());
-  pipeline::CandidateTable table = out_.table;
+  decisions::CandidateTable table = out_.table;
   table.has_scale = false;
   QVERIFY(writeJson(out_.output / "work/pairs/candidates.json", toJson(table)).has_value());
   QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);

@@ -26,14 +26,14 @@ class ReviewWindow : public QObject {
     options.sherds = sherds;
     out_ = pipeline::writeSyntheticOut(project / "results" / "B0001", options);
     runner_ = std::make_unique<ThreadedJobRunner>();
-    std::shared_ptr<catalogue::Project> catalogue;
+    std::shared_ptr<upkeep::Project> catalogue;
     if (with_project) {
-      catalogue::ProjectRecord record;
+      records::ProjectRecord record;
       record.code = "ARM";
       record.title = "Trial";
-      auto made = catalogue::Project::create(project / "rows", record);
+      auto made = upkeep::Project::create(project / "rows", record);
       QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
-      catalogue = std::make_shared<catalogue::Project>(std::move(*made));
+      catalogue = std::make_shared<upkeep::Project>(std::move(*made));
       enterBatch(*catalogue, sherds);
     }
     session_ = std::make_unique<ProjectSession>(catalogue, project, *runner_);
@@ -60,20 +60,20 @@ class ReviewWindow : public QObject {
     QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
   }
 
-  void enterBatch(catalogue::Project& project, int sherds, const std::string& number = "B0001") {
+  void enterBatch(upkeep::Project& project, int sherds, const std::string& number = "B0001") {
     catalogue::Catalogue& rows = project.catalogue();
-    catalogue::BatchRecord batch;
+    records::BatchRecord batch;
     batch.number = number;
-    batch.state = catalogue::BatchState::Review;
+    batch.state = records::BatchState::Review;
     const auto row = rows.addBatch(batch, {});
     QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
       for (int i = 0; i < sherds; ++i) {
-        catalogue::ScanRecord scan;
+        records::ScanRecord scan;
         scan.batch = *row;
         scan.side = side;
         scan.index = i + 1;
-        const pipeline::ScanRef& ref =
+        const decisions::ScanRef& ref =
             (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
                 .at(static_cast<std::size_t>(i));
         scan.name = ref.id;
@@ -91,7 +91,7 @@ class ReviewWindow : public QObject {
     runner_.reset();
   }
 
-  catalogue::BatchState batchState() {
+  records::BatchState batchState() {
     return session_->project().catalogue().batchByNumber("B0001")->state;
   }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
@@ -100,9 +100,9 @@ class ReviewWindow : public QObject {
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
   PairReviewModel* model() { return screen_->model(); }
-  const pipeline::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }
-  pipeline::Decisions standingOnDisk() {
-    return pipeline::standing(*pipeline::readDecisions(out_.output));
+  const review::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }
+  decisions::Decisions standingOnDisk() {
+    return decisions::standing(*decisions::readDecisions(out_.output));
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

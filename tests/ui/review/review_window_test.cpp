@@ -19,7 +19,7 @@
 
 namespace ostraka::ui {
 
-using pipeline::CardState;
+using review::CardState;
 
 class ReviewWindowTest : public ReviewWindow {
   Q_OBJECT
@@ -93,7 +93,7 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByKeyboard() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(cardOf(0).back, 1);
   QVERIFY(standingOnDisk().empty());
-  QCOMPARE(pipeline::readDecisions(out_.output)->size(), std::size_t{4});
+  QCOMPARE(decisions::readDecisions(out_.output)->size(), std::size_t{4});
 }
 
 void ReviewWindowTest::swappedLookAlikesAreFixedByMouse() {
@@ -200,8 +200,8 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   QCOMPARE(model()->front(), front);
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
-  pipeline::PairDecision cut = standingOnDisk()[0];
-  QCOMPARE(cut.kind, pipeline::DecisionKind::Split);
+  decisions::PairDecision cut = standingOnDisk()[0];
+  QCOMPARE(cut.kind, decisions::DecisionKind::Split);
   QCOMPARE(cut.scans[0].id, table.fronts[static_cast<std::size_t>(front)].id);
   const Eigen::Vector2d along = (cut.cut_mm[1] - cut.cut_mm[0]).normalized();
   QVERIFY(std::abs(std::abs(along.y()) - std::cos(15 * M_PI / 180)) < 1e-6);
@@ -263,12 +263,12 @@ void ReviewWindowTest::aLoneBackIsDraggedOntoItsFront() {
 void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   open(4, true);
   catalogue::Catalogue& rows = session_->project().catalogue();
-  catalogue::SiteRecord site;
+  records::SiteRecord site;
   site.code = site.name = "ARM1";
-  catalogue::ContextRecord context;
+  records::ContextRecord context;
   context.site = *rows.save(site, {});
   context.number = "0012";
-  catalogue::SherdRecord sherd;
+  records::SherdRecord sherd;
   sherd.context = *rows.save(context, {});
   sherd.batch = rows.batchByNumber("B0001")->row;
   const auto scans = *rows.scans(sherd.batch);
@@ -304,8 +304,8 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
 void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
   open(4, true);
   const auto backs = [this](int a, int b) {
-    const pipeline::PairDecision join = standingOnDisk().back();
-    return join.kind == pipeline::DecisionKind::Join && join.scans.size() == 2 &&
+    const decisions::PairDecision join = standingOnDisk().back();
+    return join.kind == decisions::DecisionKind::Join && join.scans.size() == 2 &&
            join.scans[0].side == batch::Side::Back && join.scans[1].side == batch::Side::Back &&
            join.scans[0].id == out_.table.backs.at(static_cast<std::size_t>(a)).id &&
            join.scans[1].id == out_.table.backs.at(static_cast<std::size_t>(b)).id;
@@ -341,10 +341,10 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
 
   // Both joins and the withdrawal stand in the catalogue, with who took them.
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const auto kept = catalogue::pieceDecisions(rows, rows.batchByNumber("B0001")->row);
+  const auto kept = intake::pieceDecisions(rows, rows.batchByNumber("B0001")->row);
   QVERIFY(kept.has_value());
   QCOMPARE(kept->size(), std::size_t{3});
-  QCOMPARE(kept->at(1).verdict, catalogue::PieceVerdict::Withdraw);
+  QCOMPARE(kept->at(1).verdict, intake::PieceVerdict::Withdraw);
   QCOMPARE(kept->at(2).pieces.at(1).name, out_.table.backs.at(3).id);
   QCOMPARE(rows.persons()->at(0).initials, std::string("AP"));
   QCOMPARE(kept->at(2).by, rows.persons()->at(0).row);
@@ -368,7 +368,7 @@ void ReviewWindowTest::theQueueFollowsWhatIsDecided() {
   QTRY_COMPARE(queue.row(0).figures->ask, 0);
   QCOMPARE(queue.row(0).figures->decided, 2);
   // The pairs are others than before: their models are still to be made.
-  QCOMPARE(batchState(), catalogue::BatchState::Review);
+  QCOMPARE(batchState(), records::BatchState::Review);
   QVERIFY(stateWords(queue.row(0)).startsWith("Decided: reprocess"));
   QVERIFY(screen_->findChild<QPushButton*>("compute")->isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -381,12 +381,12 @@ void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
   key(Qt::Key_Return);
   key(Qt::Key_Return);
   QTRY_COMPARE(model()->waiting(), 0);
-  QTRY_COMPARE(batchState(), catalogue::BatchState::Done);
+  QTRY_COMPARE(batchState(), records::BatchState::Done);
   QVERIFY(!screen_->findChild<QPushButton*>("compute")->isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(model()->waiting(), 2);
-  QCOMPARE(batchState(), catalogue::BatchState::Review);
+  QCOMPARE(batchState(), records::BatchState::Review);
 }
 
 void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
@@ -405,7 +405,7 @@ void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
   QTRY_VERIFY(compute->isVisible());
-  QCOMPARE(batchState(), catalogue::BatchState::Review);
+  QCOMPARE(batchState(), records::BatchState::Review);
 }
 
 void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
@@ -413,7 +413,7 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   auto* bar = screen_->findChild<QWidget*>("scaleInDoubt");
   QVERIFY(!bar->isVisible());
   catalogue::Catalogue& rows = session_->project().catalogue();
-  catalogue::BatchRecord held = *rows.batchByNumber("B0001");
+  records::BatchRecord held = *rows.batchByNumber("B0001");
   held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
   QVERIFY(rows.saveBatch(held, {}).has_value());
   session_->tellBatchChanged("B0001");

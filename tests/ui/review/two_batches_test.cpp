@@ -67,10 +67,10 @@ void TwoBatchesTest::nothingIsDecidedWhileAnotherBatchOpens() {
   key(Qt::Key_Return);  // the card that was there a moment ago
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
   QVERIFY(standingOnDisk().empty());
-  QVERIFY(pipeline::readDecisions(second.output)->empty());
+  QVERIFY(decisions::readDecisions(second.output)->empty());
   QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
   key(Qt::Key_Return);
-  QTRY_COMPARE(pipeline::readDecisions(second.output)->size(), std::size_t{1});
+  QTRY_COMPARE(decisions::readDecisions(second.output)->size(), std::size_t{1});
   QCOMPARE(entered("B0002"), std::size_t{1});
   QCOMPARE(entered("B0001"), std::size_t{0});
 }
@@ -135,7 +135,7 @@ void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
   // What is taken back is shown, for it is not what one is looking at.
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
-  QVERIFY(pipeline::standing(*pipeline::readDecisions(second.output)).empty());
+  QVERIFY(decisions::standing(*decisions::readDecisions(second.output)).empty());
   QCOMPARE(standingOnDisk().size(), std::size_t{1});
   QCOMPARE(entered("B0002"), std::size_t{2});
   QCOMPARE(entered("B0001"), std::size_t{1});
@@ -186,12 +186,12 @@ void TwoBatchesTest::enterInTheListOfBatchesOnlyChooses() {
   QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
   QVERIFY(standingOnDisk().empty());
-  QVERIFY(pipeline::readDecisions(second.output)->empty());
+  QVERIFY(decisions::readDecisions(second.output)->empty());
   auto* message = screen_->findChild<QLabel*>("message");
   QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
   batches->setFocus(Qt::TabFocusReason);  // the list is closed: there is nothing to choose
   QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
-  QVERIFY(standingOnDisk().empty() && pipeline::readDecisions(second.output)->empty());
+  QVERIFY(standingOnDisk().empty() && decisions::readDecisions(second.output)->empty());
 }
 
 // Enter means another thing in each of them.
@@ -215,7 +215,7 @@ void TwoBatchesTest::joiningAndCuttingEndWithTheBatch() {
   QVERIFY(!isOn("join"));
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
-  QCOMPARE(standingOnDisk()[0].kind, pipeline::DecisionKind::Pair);
+  QCOMPARE(standingOnDisk()[0].kind, decisions::DecisionKind::Pair);
 }
 
 // The program ended between decisions.json and the catalogue, at the last two questions.
@@ -223,19 +223,19 @@ void TwoBatchesTest::whatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened() {
   open(4, true);
   BatchQueue queue;
   queue.setSession(session_.get());
-  for (const pipeline::ReviewCard& card : model()->review().cards) {
-    if (card.state != pipeline::CardState::Ask) continue;
-    pipeline::PairDecision confirmed;
+  for (const review::ReviewCard& card : model()->review().cards) {
+    if (card.state != review::CardState::Ask) continue;
+    decisions::PairDecision confirmed;
     confirmed.by = "AP";
     confirmed.scans = {out_.table.fronts.at(static_cast<std::size_t>(card.front)),
                        out_.table.backs.at(static_cast<std::size_t>(card.back))};
     confirmed.front_from_back = card.front_from_back;
-    QVERIFY(pipeline::appendDecision(out_.output, confirmed).has_value());
+    QVERIFY(decisions::appendDecision(out_.output, confirmed).has_value());
   }
   QCOMPARE(entered("B0001"), std::size_t{0});
   screen_->showItem("B0001");
   QTRY_COMPARE(entered("B0001"), std::size_t{2});
-  QTRY_COMPARE(batchState(), catalogue::BatchState::Done);
+  QTRY_COMPARE(batchState(), records::BatchState::Done);
   QCOMPARE(queue.row(0).state, QueueState::Done);
   QCOMPARE(queue.row(0).figures->decided, 2);
   queue.setSession(nullptr);

@@ -25,20 +25,20 @@ class NumberingTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    catalogue::ProjectRecord record;
+    records::ProjectRecord record;
     record.code = "ARM";
-    auto made = catalogue::Project::create(folder_->path().toStdString() + "/project", record);
+    auto made = upkeep::Project::create(folder_->path().toStdString() + "/project", record);
     QVERIFY(made.has_value());
-    project_ = std::make_shared<catalogue::Project>(std::move(*made));
+    project_ = std::make_shared<upkeep::Project>(std::move(*made));
     session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
     session_->setInitials("AP");
-    catalogue::SiteRecord site;
+    records::SiteRecord site;
     site.code = "ARM1";
     site.name = "Hill";
-    catalogue::TrenchRecord trench;
+    records::TrenchRecord trench;
     trench.site = *rows().save(site, {});
     trench.code = "T3";
-    catalogue::ContextRecord context;
+    records::ContextRecord context;
     context.site = trench.site;
     context.trench = *rows().save(trench, {});
     context.number = "0012";
@@ -67,7 +67,7 @@ class NumberingTest : public QObject {
   }
 
   void anotherNumberingHoldsForTheNextSherdsOnlyAndIsUndone() {
-    const catalogue::SherdRow first = numbered();
+    const store::SherdRow first = numbered();
     NumberingEdit edit;
     edit.setSession(session_.get());
     edit.show();
@@ -105,7 +105,7 @@ class NumberingTest : public QObject {
     QTest::keyClick(scheme, Qt::Key_Return);
     QCOMPARE(rows().project()->numbering, std::string("{site}-{trench}-{context}-{n:04}"));
     // A context straight in the site has no trench to be named.
-    catalogue::ContextRecord lone;
+    records::ContextRecord lone;
     lone.site = rows().sites()->front().row;
     lone.number = "0099";
     QVERIFY(rows().save(lone, {}).has_value());
@@ -136,8 +136,8 @@ class NumberingTest : public QObject {
   }
 
   void numbersLeftOutAreTold() {
-    const catalogue::SherdRow sherd = draft();
-    const catalogue::FieldChange typed{sherd, "number", "ARM1-T3-0012-0005"};
+    const store::SherdRow sherd = draft();
+    const records::FieldChange typed{sherd, "number", "ARM1-T3-0012-0005"};
     QVERIFY(rows().change(std::span(&typed, 1), {}).has_value());
     numbered();
     NumberingEdit edit;
@@ -149,8 +149,8 @@ class NumberingTest : public QObject {
   }
 
   void wordsAreAddedAndThoseInUseStay() {
-    const catalogue::SherdRow sherd = draft();
-    const catalogue::FieldChange unknown{sherd, "firing", "smoked"};
+    const store::SherdRow sherd = draft();
+    const records::FieldChange unknown{sherd, "firing", "smoked"};
     QVERIFY(!rows().change(std::span(&unknown, 1), {}).has_value());
     VocabularyEdit edit;
     edit.setSession(session_.get());
@@ -167,7 +167,7 @@ class NumberingTest : public QObject {
     edit.findChild<QPushButton*>("vocabularySave")->click();
     QVERIFY(edit.findChild<QLabel*>("vocabularyTold")->text().contains("smoked"));
     QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{4});
-    const catalogue::FieldChange none{sherd, "firing", ""};
+    const records::FieldChange none{sherd, "firing", ""};
     QVERIFY(rows().change(std::span(&none, 1), {}).has_value());
     session_->undo().undo();
     QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
@@ -225,25 +225,25 @@ class NumberingTest : public QObject {
 
  private:
   catalogue::Catalogue& rows() { return project_->catalogue(); }
-  catalogue::SherdRow draft() {
-    catalogue::SherdRecord sherd;
+  store::SherdRow draft() {
+    records::SherdRecord sherd;
     sherd.context = context_;
     return *rows().addSherd(sherd, {});
   }
-  catalogue::SherdRow numbered() {
-    const catalogue::SherdRow row = draft();
+  store::SherdRow numbered() {
+    const store::SherdRow row = draft();
     if (!rows().assignNumbers(std::span(&row, 1), {})) qFatal("no number");
     return row;
   }
-  QString numberOf(catalogue::SherdRow row) {
+  QString numberOf(store::SherdRow row) {
     return QString::fromStdString(rows().sherd(row)->number);
   }
 
   ThreadedJobRunner jobs_;
   std::unique_ptr<QTemporaryDir> folder_;
-  std::shared_ptr<catalogue::Project> project_;
+  std::shared_ptr<upkeep::Project> project_;
   std::unique_ptr<ProjectSession> session_;
-  catalogue::ContextRow context_;
+  store::ContextRow context_;
 };
 
 QTEST_MAIN(NumberingTest)
